@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
 #include <vector>
 
 namespace stria::coarse {
@@ -13,12 +12,13 @@ namespace {
 /// Signals of one tip, contact behind it and tension ahead of it, committed one increment after the other.
 class ClosureMeasurementTest : public ::testing::Test {
 protected:
-    ClosureMeasurementTest() {
+    ClosureMeasurementTest() : measurement(meter(1)) { step.cycle = 1; }
+
+    static ClosureMeter meter(std::size_t tips) {
         Case input;
         input.closure.distance = 0.2;
         input.closure.tension = true;
-        measurement.emplace(ClosureMeter(input.closure, {300.0}, input.cracks, {500.0}));
-        step.cycle = 1;
+        return {input.closure, std::vector(tips, 300.0), input.cracks, std::vector(tips, 500.0)};
     }
 
     static NewtonReport state(double contact, double force) {
@@ -28,16 +28,16 @@ protected:
         return report;
     }
     [[nodiscard]] bool changes(double contact, double force) const {
-        return measurement->has_changed(step, state(contact, force));
+        return measurement.has_changed(step, state(contact, force));
     }
     std::vector<bool> commit(double contact, double force) {
         std::vector<bool> closed;
-        for (const double signal : measurement->commit(step, state(contact, force), {}, 1.0))
+        for (const double signal : measurement.commit(step, state(contact, force), {}, 1.0))
             closed.push_back(is_closed(signal));
         return closed;
     }
 
-    std::optional<ClosureMeasurement> measurement;
+    ClosureMeasurement measurement;
     LoadStep step;
 };
 
@@ -68,17 +68,17 @@ LegEnds leg(double from, double to, double from_case = 0.0, double to_case = 0.0
 
 TEST_F(ClosureMeasurementTest, ALegClosesWhatItLowersTheKOf) {
     step.target.value = 20.0;
-    measurement->commit(step, state(40.0, 300.0),
-                        {{.tip = 0, .signal = 0, .closes = true, .load_factor = 8.0, .target = 8.0}}, 1.0);
+    measurement.commit(step, state(40.0, 300.0),
+                       {{.tip = 0, .signal = 0, .closes = true, .load_factor = 8.0, .target = 8.0}}, 1.0);
     const TipResult with{.K_I = 10.0}, against{.K_I = -10.0}, shear{.K_I = -0.05, .K_II = 10.0};
-    const LegOutlook down = measurement->outlook(leg(30.0, 0.0), {with}),
-                     up = measurement->outlook(leg(0.0, 30.0), {with});
+    const LegOutlook down = measurement.outlook(leg(30.0, 0.0), {with}),
+                     up = measurement.outlook(leg(0.0, 30.0), {with});
     EXPECT_EQ(down.met, std::vector{8.0});
     EXPECT_TRUE(up.met.empty());
-    EXPECT_EQ(measurement->outlook(leg(0.0, 30.0), {against}).met, std::vector{8.0});
-    EXPECT_EQ(measurement->outlook(leg(30.0, 0.0), {shear}).met, std::vector{8.0});
+    EXPECT_EQ(measurement.outlook(leg(0.0, 30.0), {against}).met, std::vector{8.0});
+    EXPECT_EQ(measurement.outlook(leg(30.0, 0.0), {shear}).met, std::vector{8.0});
     const auto senses = [&](const std::vector<TipResult>& tips) {
-        const SensesOfK all = measurement->outlook(leg(0.0, 30.0), tips).senses;
+        const SensesOfK all = ClosureMeasurement(meter(tips.size())).outlook(leg(0.0, 30.0), tips).senses;
         return std::pair(all.with_load, all.against_load);
     };
     EXPECT_EQ(senses({with}), std::pair(true, false));
@@ -91,7 +91,7 @@ TEST_F(ClosureMeasurementTest, ALegClosesWhatItLowersTheKOf) {
 TEST_F(ClosureMeasurementTest, ALegPressesFacesWhereKIsBelowZero) {
     const TipResult tip{.K_I = 10.0, .K_I_of_cases = {10.0}}, against{.K_I = -10.0, .K_I_of_cases = {10.0}};
     const auto presses = [&](const LegEnds& ends, const TipResult& one) {
-        return measurement->outlook(ends, {one}).presses;
+        return measurement.outlook(ends, {one}).presses;
     };
     EXPECT_FALSE(presses(leg(30.0, 0.0), tip));
     EXPECT_TRUE(presses(leg(30.0, -1.0), tip));
@@ -112,13 +112,13 @@ TEST_F(ClosureMeasurementTest, ALegPressesFacesWhereKIsBelowZero) {
 TEST_F(ClosureMeasurementTest, RemembersWhereASignalCameAndWentAndHowFast) {
     const double unit = 2.0;
     step.target.value = 20.0;
-    measurement->commit(step, state(40.0, 300.0), {}, unit);
-    EXPECT_TRUE(std::isnan(measurement->memory().opened.loads.at(0)));
+    measurement.commit(step, state(40.0, 300.0), {}, unit);
+    EXPECT_TRUE(std::isnan(measurement.memory().opened.loads.at(0)));
     const OpeningChange closes{
         .tip = 0, .signal = 0, .closes = true, .load_factor = 8.0, .target = 8.0, .rate = {3.0, std::nan("")}},
         opens{.tip = 0, .signal = 1, .closes = false, .load_factor = 5.0, .target = 5.0, .rate = {-1.0, 7.0}};
-    measurement->commit(step, state(40.0, 300.0), {closes, opens}, unit);
-    const ClosureMemory& memory = measurement->memory();
+    measurement.commit(step, state(40.0, 300.0), {closes, opens}, unit);
+    const ClosureMemory& memory = measurement.memory();
     const auto& [closing_loads, closing_rates] = memory.closed;
     const auto& [opening_loads, opening_rates] = memory.opened;
     EXPECT_EQ(closing_loads.at(0), 4.0);
@@ -134,7 +134,7 @@ TEST_F(ClosureMeasurementTest, RemembersWhereASignalCameAndWentAndHowFast) {
     unknown.target = 30.0;
     OpeningChange slower = opens;
     slower.rate = {std::nan(""), 1.0};
-    measurement->commit(step, state(40.0, 300.0), {unknown, slower}, unit);
+    measurement.commit(step, state(40.0, 300.0), {unknown, slower}, unit);
     EXPECT_EQ(closing_loads.at(0), 4.0);
     EXPECT_EQ(closing_rates.at(0), 6.0);
     EXPECT_EQ(opening_rates.at(2), -2.0);
@@ -145,17 +145,17 @@ TEST_F(ClosureMeasurementTest, RemembersWhereASignalCameAndWentAndHowFast) {
 // Faces that closed at 8, 10 and 11 are looked for, and met, at 11.5. By its rate one trial there knows.
 TEST_F(ClosureMeasurementTest, LooksWhereTheLoadsOfTheCyclesBeforeLead) {
     for (const double load : {8.0, 10.0, 11.0})
-        measurement->commit(
+        measurement.commit(
             step, state(-30.0, 300.0),
             {{.tip = 0, .signal = 0, .closes = true, .load_factor = load, .target = load, .rate = {-2.0, NAN}}}, 1.0);
-    EXPECT_EQ(measurement->outlook(leg(30.0, 0.0), {TipResult{.K_I = 10.0}}).met, std::vector{11.5});
+    EXPECT_EQ(measurement.outlook(leg(30.0, 0.0), {TipResult{.K_I = 10.0}}).met, std::vector{11.5});
     std::vector<double> trials;
     const auto solve = [&](const LoadStep& trial) {
         trials.push_back(trial.target.value);
         return ClosureMeter::Trial{state(2.0 * (11.495 - trial.target.value), 300.0), trial.target.value};
     };
     const std::vector<OpeningChange> found =
-        measurement->changes(step, state(20.0, 300.0), {{.value = 20.0}, 20.0}, {{.value = 0.0}, 0.0}, 1.0, 1.0, solve);
+        measurement.changes(step, state(20.0, 300.0), {{.value = 20.0}, 20.0}, {{.value = 0.0}, 0.0}, 1.0, 1.0, solve);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(trials, std::vector{11.5});
     EXPECT_NEAR(found[0].target, 11.495, 1e-12);
@@ -165,8 +165,8 @@ TEST_F(ClosureMeasurementTest, RemembersTheLargestOfEachSignal) {
     commit(40.0, 300.0);
     commit(-70.0, -20.0);
     commit(10.0, 100.0);
-    ASSERT_EQ(measurement->memory().largest.size(), 2U);
-    const std::vector<double> largest = measurement->memory().largest;
+    ASSERT_EQ(measurement.memory().largest.size(), 2U);
+    const std::vector<double> largest = measurement.memory().largest;
     EXPECT_EQ(std::abs(largest[0]), 70.0);
     EXPECT_EQ(std::abs(largest[1]), 300.0);
 }
@@ -183,7 +183,7 @@ TEST_F(ClosureMeasurementTest, LooksForAChangeBetweenTheEnds) {
         trials.push_back(trial);
         return ClosureMeter::Trial{state(contact_at(trial.target.value), 300.0), trial.target.value};
     };
-    const std::vector<OpeningChange> found = measurement->changes(step, state(30.0, 300.0), from, to, 0.5, 1.0, solve);
+    const std::vector<OpeningChange> found = measurement.changes(step, state(30.0, 300.0), from, to, 0.5, 1.0, solve);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_TRUE(found[0].closes);
     EXPECT_EQ(found[0].signal, 0);
