@@ -69,6 +69,7 @@ TEST(MovedTips, LeaveTheZoneAsItIs) {
     other.set_patch(anew);
     const Eigen::MatrixXd increments = other.increments();
     EXPECT_GT(increments.cols(), 0);
+    ASSERT_EQ(model.increments().cols(), increments.cols());
     EXPECT_LT((model.increments() - increments).norm(), 1e-12 * increments.norm());
     for (const double strain : {7e-4, 9e-4, 1.1e-3, 9e-4, 6e-4, 3e-4, 0.0, -3e-4, 0.0, 3e-4}) {
         const PatchResponse response = in_equilibrium(model, pulled(after, strain));
