@@ -13,15 +13,23 @@
 namespace stria {
 namespace {
 
-class SubtreesAtRest : public testing::TestWithParam<Symmetry> {};
+class SubtreesAtRest : public testing::TestWithParam<Symmetry> {
+protected:
+    SubtreesAtRest() {
+        grid.ground();
+        grid.keep_outline();
+        load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
+        move = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, 0.5, -0.3);
+    }
+
+    test::FrontGrid grid{9, 7, GetParam()};
+    Eigen::VectorXd load, move;
+};
 INSTANTIATE_TEST_SUITE_P(Symmetries, SubtreesAtRest, testing::Values(Symmetry::Symmetric, Symmetry::General),
                          test::name_of_symmetry);
 
 // A linear problem does not care which of its elements rest.
 TEST_P(SubtreesAtRest, SubtreesAtRestRespondAsTheirElementsDo) {
-    test::FrontGrid grid(9, 7, GetParam());
-    grid.ground();
-    grid.keep_outline();
     FrontTree tree(grid.layout);
     tree.factor(grid.matrices, grid.changed, grid.symmetry);
     ElementSet may_rest(grid.matrices.size());
@@ -37,9 +45,8 @@ TEST_P(SubtreesAtRest, SubtreesAtRestRespondAsTheirElementsDo) {
     }
     awake -= asleep;
     // Loads on the elements at rest, and the unknowns awake moved: those inside follow until nothing is due on them.
-    const Eigen::VectorXd load = asleep * Eigen::VectorXd::LinSpaced(awake.rows(), -1.0, 2.0);
+    load = asleep * load;
     tree.carry(load);
-    Eigen::VectorXd move = Eigen::VectorXd::LinSpaced(awake.rows(), 0.5, -0.3);
     const Eigen::VectorXd response = tree.response(move), followed = tree.follow(move);
     const Eigen::VectorXd due = load - asleep * followed;
     for (Eigen::Index i = 0; i < due.size(); ++i) {
@@ -52,15 +59,10 @@ TEST_P(SubtreesAtRest, SubtreesAtRestRespondAsTheirElementsDo) {
 
 // Where some wake, the others carry their loads on as they did: same bits as a tree whose rest begins so, less work.
 TEST_P(SubtreesAtRest, WhatStaysAtRestHasCarriedItsLoad) {
-    test::FrontGrid grid(9, 7, GetParam());
-    grid.ground();
-    grid.keep_outline();
     FrontTree tree(grid.layout), fresh(grid.layout);
     for (FrontTree* one : {&tree, &fresh}) one->factor(grid.matrices, grid.changed, grid.symmetry);
     ElementSet may_rest(grid.matrices.size(), true);
     may_rest.erase(0);
-    Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
-    const Eigen::VectorXd move = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, 0.5, -0.3);
     tree.rest(may_rest);
     tree.carry(load);
     const long all = tree.carried();
@@ -97,16 +99,11 @@ TEST_P(SubtreesAtRest, WhatStaysAtRestHasCarriedItsLoad) {
 // Of an increment that failed nothing is left but what rested, and some of that may have to wake in the next one before
 // there is a factor again.
 TEST_P(SubtreesAtRest, SomeMayWakeBehindAFailure) {
-    test::FrontGrid grid(9, 7, GetParam());
-    grid.ground();
-    grid.keep_outline();
     FrontTree tree(grid.layout), fresh(grid.layout);
     for (FrontTree* one : {&tree, &fresh}) one->factor(grid.matrices, grid.changed, grid.symmetry);
     ElementSet may_rest(grid.matrices.size(), true);
     may_rest.erase(0);
     tree.rest(may_rest);
-    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0),
-                          move = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, 0.5, -0.3);
     tree.carry(load);
     grid.changed[0] = 1;
     const Eigen::MatrixXd good = std::exchange(grid.matrices[0], Eigen::MatrixXd::Constant(8, 8, std::nan("")));
@@ -125,16 +122,12 @@ TEST_P(SubtreesAtRest, SomeMayWakeBehindAFailure) {
 }
 
 TEST_P(SubtreesAtRest, LoadsPassAroundWhatRests) {
-    test::FrontGrid grid(9, 7, GetParam());
-    grid.ground();
-    grid.keep_outline();
     FrontTree tree(grid.layout), whole(grid.layout);
     tree.factor(grid.matrices, grid.changed, grid.symmetry);
     whole.factor(grid.matrices, grid.changed, grid.symmetry);
     ElementSet may_rest(grid.matrices.size(), true);
     may_rest.erase(30);
     tree.rest(may_rest);
-    Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
     for (Eigen::Index i = 0; i < load.size(); ++i)
         if (tree.inside().contains(i)) load[i] = 0.0;
     const ReducedLoad reduced = tree.reduce(load), expected = whole.reduce(load);
