@@ -10,24 +10,32 @@ namespace stria {
 RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings,
                    std::span<const int> among, bool with_inside)
     : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()),
-      of_places_(rings_.size()), auxiliary_(tip, elastic), weights_(mesh, tip, rings_, among, with_inside) {}
+      of_places_(rings_.size()), auxiliary_(tip, elastic), weights_(mesh, tip, rings_, among, with_inside),
+      known_(elements().size()) {}
 
 bool RingSums::enter(int element) {
-    std::size_t place = next_place_;  // of most: they come in order
-    if (place >= elements().size() || elements()[place] != element) {
+    place_ = next_place_;  // of most: they come in order
+    if (place_ >= elements().size() || elements()[place_] != element) {
         const auto found = std::ranges::lower_bound(elements(), element);
         if (found == elements().end() || *found != element) return false;
-        place = at(found - elements().begin());
+        place_ = at(found - elements().begin());
     }
-    entered_ = weights_.of(place);
-    element_ = element;
-    next_place_ = place + 1;
+    next_place_ = place_ + 1;
+    entered_ = weights_.of(place_);
+    Known& known = known_[place_];
+    points_are_known_ = std::exchange(known.points, true);
+    if (!points_are_known_) {
+        known.field = fields_.size();
+        known.weighted = weighted_.size();
+    }
+    next_field_ = known.field;
+    next_weighted_ = known.weighted;
     return true;
 }
 
 // Where the fields are known already nobody asks.
 int RingSums::side_of(const IntegrationPoint& point) const {
-    return point.side != 0 ? point.side : branch_side(mesh_, element_);
+    return point.side != 0 ? point.side : branch_side(mesh_, element());
 }
 
 void RingSums::look_at(const IntegrationPoint& point) {
@@ -37,7 +45,7 @@ void RingSums::look_at(const IntegrationPoint& point) {
         weighted_.reserve(points * weights_.entries());
     }
     fields_.push_back(auxiliary_.at(point.x, side_of(point)));
-    const Eigen::Matrix<double, 4, 2> gradient = shape_q4(corners_of_element(mesh_, element_), point.xi).gradient;
+    const Eigen::Matrix<double, 4, 2> gradient = shape_q4(corners_of_element(mesh_, element()), point.xi).gradient;
     const Vec2 turn = turned(tip_.direction);
     std::array<Vec2, 3> back;
     std::ranges::transform(fields_.back(), back.begin(), [&](const AuxiliaryField& field) -> Vec2 {
@@ -57,14 +65,14 @@ void RingSums::look_at(const IntegrationPoint& point) {
 
 // energy_momentum() and its mutual part (MutualWeights), with what they have in common worked out once.
 void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
-    if (visited_ == fields_.size()) look_at(point);
+    if (!points_are_known_) look_at(point);
     const Vec2 &along = tip_.direction, slope = gradient * along;
     const double xx = stress[0], yy = stress[1], xy = stress[3] / std::numbers::sqrt2;
     const auto traction = [&](const Vec2& of) { return Vec2(xx * of.x() + xy * of.y(), xy * of.x() + yy * of.y()); };
     const Vec2 own = traction(slope) - work * along;
     const double turn = point.weight * rotation(gradient);
     std::array<Vec2, 3> mutual;
-    std::ranges::transform(fields_[visited_++], mutual.begin(), [&](const AuxiliaryField& field) -> Vec2 {
+    std::ranges::transform(fields_[next_field_++], mutual.begin(), [&](const AuxiliaryField& field) -> Vec2 {
         const Vec2 back(field.stress_xx * slope.x() + field.stress_xy * slope.y(),
                         field.stress_xy * slope.x() + field.stress_yy * slope.y());
         const double shared = xx * field.strain_xx + yy * field.strain_yy + xy * field.shear;
@@ -80,13 +88,36 @@ void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Ei
     }
 }
 
+void RingSums::begin_way_from(int stand) {
+    Known& known = known_[place_];
+    known.stand = stand;
+    if (!known.share) {
+        known.share = shares_.size();
+        shares_.resize(shares_.size() + entered_.size());
+    }
+    std::ranges::fill(std::span(shares_).subspan(*known.share, entered_.size()), ElasticShare());
+}
+
+void RingSums::tell_way(const IntegrationPoint& point, const ElasticPoint& standing) {
+    if (!points_are_known_) look_at(point);
+    const ElasticResponse response(standing, point.weight, tip_.direction);
+    const std::array<AuxiliaryField, 3>& fields = fields_[next_field_++];
+    for (ElasticShare& share : std::span(shares_).subspan(*known_[place_].share, entered_.size()))
+        share.add(response, weighted_[next_weighted_++], fields);
+}
+
+void RingSums::add_moved(const NodeMotion& motion) {
+    const ElasticShare* share = &shares_[*known_[place_].share];
+    for (const RingWeights::Entered& entered : entered_) sums_[entered.ring] += (share++)->at(motion);
+}
+
 void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope) {
     const double own = elastic_.work(stress, slope);
     std::array<double, 3> mutual{};
-    std::ranges::transform(fields_[visited_ - 1], mutual.begin(), [&](const AuxiliaryField& field) {
+    std::ranges::transform(fields_[next_field_ - 1], mutual.begin(), [&](const AuxiliaryField& field) {
         return Mandel(field.strain_xx, field.strain_yy, 0.0, field.shear / std::numbers::sqrt2).dot(slope);
     });
-    const Eigen::Vector4d shape = shape_q4(corners_of_element(mesh_, element_), point.xi).value;
+    const Eigen::Vector4d shape = shape_q4(corners_of_element(mesh_, element()), point.xi).value;
     for (const auto& [ring, q] : entered_) {
         const double weight = -point.weight * shape.dot(q);
         sums_[ring] += {.J = weight * own,
@@ -98,9 +129,9 @@ void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, 
 
 void RingSums::add_mismatch(const IntegrationPoint& point, const Mandel& mismatch) {
     if (mismatch.isZero(0.0)) return;
-    const ShapeQ4 shape = shape_q4(corners_of_element(mesh_, element_), point.xi);
+    const ShapeQ4 shape = shape_q4(corners_of_element(mesh_, element()), point.xi);
     const std::array<Mandel, 3> slopes = auxiliary_.stress_slopes(point.x, side_of(point));
-    const std::array<AuxiliaryField, 3>& fields = fields_[visited_ - 1];
+    const std::array<AuxiliaryField, 3>& fields = fields_[next_field_ - 1];
     for (const auto& [ring, q] : entered_) {
         const double here = shape.value.dot(q), ahead = tip_.direction.dot(shape.gradient.transpose() * q);
         const auto share = [&](std::size_t mode) {

@@ -1,61 +1,23 @@
-// J and the interaction integrals in domain form about one tip: their integrands at a point, and the sums over several
-// rings in one pass. In each ring the weight q falls from 1 to 0.
+// J and the interaction integrals in domain form about one tip: the sums over several rings in one pass. In each ring
+// the weight q falls from 1 to 0.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "common/fem/shape_q4.hpp"
 #include "common/fracture/auxiliary_fields.hpp"
 #include "common/fracture/domain_sums.hpp"
+#include "common/fracture/elastic_share.hpp"
+#include "common/fracture/energy_momentum.hpp"
 #include "common/fracture/ring_weights.hpp"
 #include "common/fracture/williams.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "common/integration/element_operator.hpp"
 
 namespace stria {
-
-/// sigma_ij u_i,1 - W delta_1j with axis 1 along the tip: what the integrand of J dots with grad q.
-inline Vec2 energy_momentum(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
-    return in_plane(stress) * (gradient * tip.direction) - work * tip.direction;
-}
-
-/// Its part that is mixed of the solution and an auxiliary field is linear in the solution. Dotted with grad q it is
-/// xx sigma_xx + yy sigma_yy + xy sigma_xy + slope . u_,1.
-struct MutualWeights {
-    MutualWeights(const AuxiliaryField& field, const Vec2& along, const Vec2& dq)
-        : slope(field.stress_xx * dq.x() + field.stress_xy * dq.y(),
-                field.stress_xy * dq.x() + field.stress_yy * dq.y()) {
-        const double ahead = along.dot(dq);
-        xx = field.slope.x() * dq.x() - field.strain_xx * ahead;
-        yy = field.slope.y() * dq.y() - field.strain_yy * ahead;
-        xy = field.slope.y() * dq.x() + field.slope.x() * dq.y() - field.shear * ahead;
-    }
-
-    /// Of the stress, dotted with a strain in the plane.
-    MutualWeights& operator+=(const Mandel& strain) {
-        xx += strain[0];
-        yy += strain[1];
-        xy += std::numbers::sqrt2 * strain[3];
-        return *this;
-    }
-
-    double xx, yy, xy;
-    Vec2 slope;
-};
-
-/// The derivative along the tip of q times an auxiliary stress: xx, yy, 0, sqrt(2) xy. `ahead`: of q.
-inline Mandel weighted_slope(const AuxiliaryField& field, const Mandel& stress_slope, double q, double ahead) {
-    return q * stress_slope +
-           ahead * Mandel(field.stress_xx, field.stress_yy, 0.0, std::numbers::sqrt2 * field.stress_xy);
-}
-
-/// What u_,1 is where the body turns by 1.
-inline Vec2 turned(const Vec2& along) { return {-along.y(), along.x()}; }
-
-/// (u_y,x - u_x,y) / 2.
-inline double rotation(const Eigen::Matrix2d& gradient) { return 0.5 * (gradient(1, 0) - gradient(0, 1)); }
 
 /// Sums over the rings of one tip. Weights are worked out once, fields once a point, whatever the number of rings.
 class RingSums {
@@ -65,20 +27,20 @@ public:
     RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings,
              std::span<const int> among, bool with_inside = false);
 
-    /// Sums start anew. The same points come again, in the same order: what their places say is known by then.
+    /// Sums start anew. The same elements come again: what the places of their points say is known by then.
     void clear() {
         sums_ = of_places_;
-        visited_ = next_weighted_ = next_place_ = 0;
+        next_place_ = 0;
     }
 
-    /// Points so far do not come again: what their places say is forgotten. The sums go on.
+    /// Elements so far do not come again: what their places say is forgotten. The sums go on.
     void forget_points() {
         fields_.clear();
         weighted_.clear();
-        visited_ = next_weighted_ = 0;
     }
 
-    /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring.
+    /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring. All of its points
+    /// follow, or its motion.
     bool enter(int element);
 
     /// Elements that have something to add, ascending.
@@ -95,6 +57,15 @@ public:
     /// dotted with the derivative of q sigma^aux along the tip (docs/equations.md). J has no such form.
     void add_mismatch(const IntegrationPoint& point, const Mandel& mismatch);
 
+    /// While the element entered is elastic and has four functions its share follows from where its points stand. To
+    /// stand elsewhere is to have another number. Whether it is known how:
+    [[nodiscard]] bool knows_way_from(int stand) const { return known_[place_].stand == stand; }
+    /// If not, it is to be told, and then point by point.
+    void begin_way_from(int stand);
+    void tell_way(const IntegrationPoint& point, const ElasticPoint& standing);
+    /// All points of the element at once. `motion`: from where they stand.
+    void add_moved(const NodeMotion& motion);
+
     /// Tractions that the faces transmit at a station of the tip's crack: pressure p and shear tau, so that p n - tau t
     /// acts on the plus face and its opposite on the minus face. Slopes: of opening and slip along its tangent.
     struct FaceLoad {
@@ -110,6 +81,7 @@ public:
 private:
     /// Of the crack: a bent one leaves the tip's line, where the auxiliary fields jump.
     [[nodiscard]] int side_of(const IntegrationPoint& point) const;
+    [[nodiscard]] int element() const { return elements()[place_]; }  // that was entered
     void look_at(const IntegrationPoint& point);
 
     const EnrichedMesh& mesh_;
@@ -123,12 +95,21 @@ private:
     RingWeights weights_;
     std::vector<std::array<AuxiliaryField, 3>> fields_;  // of each point so far
     std::vector<Vec2> weighted_;                         // weight times grad q, of each point so far, ring by ring
-    std::size_t visited_ = 0, next_weighted_ = 0;        // points since clear(), and their weighted_
+    std::vector<ElasticShare> shares_;                   // of each element whose way was told, ring by ring
+
+    struct Known {
+        bool points = false;               // their places have been looked at
+        std::size_t field, weighted;       // the first of its own, then
+        std::optional<std::size_t> share;  // likewise, once its way was told
+        int stand = -1;                    // from where
+    };
+    std::vector<Known> known_;  // of elements(), by their places
 
     // Of the element entered.
     std::span<const RingWeights::Entered> entered_;
-    int element_ = -1;            // that was entered
-    std::size_t next_place_ = 0;  // behind it, among elements()
+    std::size_t place_ = 0, next_place_ = 0;  // among elements()
+    bool points_are_known_ = false;
+    std::size_t next_field_ = 0, next_weighted_ = 0;  // of its next point
 };
 
 }  // namespace stria

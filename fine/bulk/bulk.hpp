@@ -62,6 +62,7 @@ public:
     [[nodiscard]] const std::vector<ElementOperator>& operators() const { return elements_.operators(); }
     [[nodiscard]] const PointHistory& history() const { return history_; }
     [[nodiscard]] const RestingElements& resting() const { return resting_; }
+    [[nodiscard]] const StandingPoints& standing() const { return stand_; }
 
     [[nodiscard]] const Eigen::VectorXd& committed_displacement() const { return committed_u_; }
     [[nodiscard]] const Eigen::VectorXd& internal_force() const { return force_; }

@@ -1,25 +1,82 @@
 #include "fine/bulk/bulk_report.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace stria::fine {
 
-void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density) {
+namespace {
+
+// Point by point, whatever there is.
+void add_points(RingSums& rings, const Bulk& bulk, EnergyDensity density, int e) {
     const Materials& materials = bulk.elements().materials();
     const InitialStress& initial = materials.initial_stress();
     const Tip& tip = rings.tip();
+    const int material = bulk.elements().mesh().material_of(e);
+    const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
+    bulk.for_each_committed_state(e, density, [&](std::size_t q, const Bulk::PointState& state) {
+        rings.add(points[q], state.stress, state.gradient, state.energy);
+        const Vec2& x = points[q].x;
+        if (initial.any()) rings.add_initial(points[q], state.stress, initial.slope(x, tip.material, tip.direction));
+        if (!materials.are_alike(tip.material, material))
+            rings.add_mismatch(points[q], materials.mismatch(tip.material, material, x, state.stress));
+    });
+}
+
+/// How the nodes of an element of four functions have moved from where its points stand to what is committed; none of
+/// one that has others, or that has not moved.
+std::optional<NodeMotion> motion_of(const Bulk& bulk, int e) {
+    constexpr std::size_t four_functions = 8;  // unknowns
+    const ElementOperator& op = bulk.elements().op(e);
+    if (op.unknowns.size() != four_functions) return std::nullopt;
+    const ElementKernel<4> kernel(op);
+    const Eigen::Matrix<double, 2, 4> moved =
+        kernel.gather(bulk.committed_displacement()) - kernel.nodal(bulk.standing().displacement(e).data());
+    return moved.isZero(0.0) ? std::nullopt : std::optional(stria::motion_of(moved));
+}
+
+/// What is at a point of such an element where it stands, and per motion.
+ElasticPoint standing_point(const Bulk& bulk, EnergyDensity density, int e, std::size_t q) {
+    const BulkElements& elements = bulk.elements();
+    const PointHistory& history = bulk.history();
+    const ElementKernel<4> kernel(elements.op(e));
+    const Eigen::Matrix<double, 2, 4> stand = kernel.nodal(bulk.standing().displacement(e).data());
+    const Mandel stress = history.stress(e, q);
+    const Eigen::Matrix<double, 4, 6> strain = kernel.strain_matrix(q).rightCols<6>();
+    return {.stress = stress,
+            .work = density == EnergyDensity::StressWork
+                        ? history.work(e, q)
+                        : elements.materials().elastic(elements.mesh().material_of(e)).energy(stress),
+            .gradient = kernel.displacement_gradient(stand, q) + history.frozen_gradient(e, q),
+            .functions = elements.op(e).gradients[q].bottomRows<3>(),
+            .strain = strain,
+            .stress_change = elements.elastic_stiffness(e) * strain};
+}
+
+void add_moved(RingSums& rings, const Bulk& bulk, EnergyDensity density, int e, const NodeMotion& motion) {
+    const int stand = bulk.standing().times_moved(e);
+    if (!rings.knows_way_from(stand)) {
+        rings.begin_way_from(stand);
+        const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
+        for (std::size_t q = 0; q < points.size(); ++q) rings.tell_way(points[q], standing_point(bulk, density, e, q));
+    }
+    rings.add_moved(motion);
+}
+
+}  // namespace
+
+// Most elements of a long wake are elastic for many increments.
+void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density) {
+    const Materials& materials = bulk.elements().materials();
     for (const int e : rings.elements()) {
         rings.enter(e);
-        const int material = bulk.elements().mesh().material_of(e);
-        const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
-        bulk.for_each_committed_state(e, density, [&](std::size_t q, const Bulk::PointState& state) {
-            rings.add(points[q], state.stress, state.gradient, state.energy);
-            const Vec2& x = points[q].x;
-            if (initial.any())
-                rings.add_initial(points[q], state.stress, initial.slope(x, tip.material, tip.direction));
-            if (!materials.are_alike(tip.material, material))
-                rings.add_mismatch(points[q], materials.mismatch(tip.material, material, x, state.stress));
-        });
+        const bool adds_more = materials.initial_stress().any() ||
+                               !materials.are_alike(rings.tip().material, bulk.elements().mesh().material_of(e));
+        const std::optional<NodeMotion> motion = adds_more ? std::nullopt : motion_of(bulk, e);
+        if (motion)
+            add_moved(rings, bulk, density, e, *motion);
+        else
+            add_points(rings, bulk, density, e);
     }
 }
 

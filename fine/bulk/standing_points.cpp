@@ -5,7 +5,7 @@
 namespace stria::fine {
 
 StandingPoints::StandingPoints(const BulkElements& elements, const StandingPoints* old)
-    : displacement_(elements.operators()), force_(displacement_) {
+    : displacement_(elements.operators()), force_(displacement_), times_moved_(at(elements.count())) {
     bound_.reserve(elements.operators());
     for (int e = 0; e < elements.count(); ++e) {
         const ElementOperator& op = elements.op(e);
@@ -23,6 +23,7 @@ StandingPoints::StandingPoints(const BulkElements& elements, const StandingPoint
 void StandingPoints::stand_at(int e, const Eigen::VectorXd& element_u, const BulkElements& elements,
                               const PointHistory& history) {
     displacement_.of(e) = element_u;
+    ++times_moved_[at(e)];
     look_back(e, history);
     with_kernel(elements.op(e), [&](const auto& kernel) {
         const auto force = kernel.force(history.stresses(e), history.points());

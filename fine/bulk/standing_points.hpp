@@ -28,6 +28,8 @@ public:
     void bring_to(int e, const Eigen::VectorXd& u, const BulkElements& elements, PointHistory& history);
 
     [[nodiscard]] auto displacement(int e) const { return displacement_.of(e); }
+    /// How often an element's points have come to stand somewhere.
+    [[nodiscard]] int times_moved(int e) const { return times_moved_[at(e)]; }
     /// What an element is ahead of its points at a displacement of all unknowns.
     [[nodiscard]] Eigen::VectorXd ahead(const ElementOperator& op, int e, const Eigen::VectorXd& u) const {
         return gather(u, op.unknowns) - displacement(e);
@@ -58,6 +60,7 @@ public:
 
 private:
     ElementValues displacement_, force_;
+    std::vector<int> times_moved_;
     ElasticBound bound_;
 };
 

@@ -65,10 +65,16 @@ public:
         return force;
     }
 
-    /// Adds weight * B^T D B at point q.
-    void add_stiffness(const MandelMatrix& D, std::size_t q, Matrix& K) const {
+    /// B at point q.
+    [[nodiscard]] Eigen::Matrix<double, 4, unknowns> strain_matrix(std::size_t q) const {
         Eigen::Matrix<double, 4, unknowns> B(4, 2 * count_);
         with_mean(q, [&](const Gradient& g, const Gradient* mean) { fill_strain_matrix(g, mean, B); });
+        return B;
+    }
+
+    /// Adds weight * B^T D B at point q.
+    void add_stiffness(const MandelMatrix& D, std::size_t q, Matrix& K) const {
+        const Eigen::Matrix<double, 4, unknowns> B = strain_matrix(q);
         const Eigen::Matrix<double, 4, unknowns> stress = op_.points[q].weight * D * B;
         K.noalias() += B.transpose().lazyProduct(stress);
     }

@@ -1,0 +1,95 @@
+// What elements add to the rings while they are elastic, in closed form, against the sums over their points.
+#include "fine/bulk/bulk_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "tests/support/plate_bulk.hpp"
+
+namespace stria::test {
+namespace {
+
+using fine::Bulk;
+using fine::EnergyDensity;
+
+std::vector<int> all_elements(const EnrichedMesh& mesh) {
+    std::vector<int> all(mesh.elements.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+/// From all points that the rings reach.
+std::vector<DomainIntegral> by_points(RingSums sums, const Bulk& bulk, EnergyDensity density) {
+    for (const int e : sums.elements()) {
+        sums.enter(e);
+        const std::vector<Bulk::PointState> states = bulk.committed_states(e, density);
+        for (std::size_t q = 0; q < states.size(); ++q)
+            sums.add(bulk.elements().op(e).points[q], states[q].stress, states[q].gradient, states[q].energy);
+    }
+    return {sums.values().begin(), sums.values().end()};
+}
+
+/// Elements whose points stand elsewhere.
+int followers(const Bulk& bulk) {
+    int count = 0;
+    for (int e = 0; e < bulk.elements().count(); ++e)
+        count += bulk.standing().stands_at(bulk.elements().op(e), e, bulk.committed_displacement()) ? 0 : 1;
+    return count;
+}
+
+void expect_alike(const DomainIntegral& found, const DomainIntegral& expected) {
+    constexpr double rounding = 1e-11;
+    const double interaction = std::hypot(expected.interaction_I, expected.interaction_II, expected.interaction_T);
+    EXPECT_NEAR(found.J, expected.J, rounding * std::abs(expected.J));
+    EXPECT_NEAR(found.interaction_I, expected.interaction_I, rounding * interaction);
+    EXPECT_NEAR(found.interaction_II, expected.interaction_II, rounding * interaction);
+    EXPECT_NEAR(found.interaction_T, expected.interaction_T, rounding * interaction);
+    EXPECT_NEAR(found.rotation, expected.rotation, rounding * std::abs(expected.rotation));
+    EXPECT_NEAR(found.area, expected.area, rounding * expected.area);
+    EXPECT_NEAR(found.turned_I, expected.turned_I, rounding * std::abs(expected.turned_I));
+}
+
+class ElasticShares : public testing::TestWithParam<std::tuple<PlaneState, EnergyDensity>> {};
+
+// Metal flows, follows elastically for some increments, and flows again.
+TEST_P(ElasticShares, AreThoseOfTheirPoints) {
+    const auto [plane, density] = GetParam();
+    Case scene = plate_case({{0.0, 2.4}, {2.3, 2.6}});
+    scene.model.plane = plane;
+    const EnrichedMesh mesh = plate_mesh(9, 9, scene);
+    Bulk bulk = make_bulk(mesh, scene);
+    const Tip& tip = mesh.tips.front();
+    RingSums rings(mesh, tip, bulk.elements().materials().elastic(0), {{0.8, 1.6}, {1.2, 2.4}}, all_elements(mesh));
+    const Eigen::VectorXd way = random_vector(mesh.unknowns, 4e-3, 1), turn = random_vector(mesh.unknowns, 3e-4, 2);
+    int followed = 0;
+    for (const double load : {1.0, 0.8, 0.78, 0.76, -0.9, -0.7, -0.68, -0.66, 1.2, 1.0, 0.98}) {
+        bulk.evaluate(load * way + load * load * turn);
+        bulk.commit(false);
+        followed += followers(bulk);
+        rings.clear();
+        add_to(rings, bulk, density);
+        const std::vector<DomainIntegral> expected =
+            by_points({mesh, tip, bulk.elements().materials().elastic(0), {{0.8, 1.6}, {1.2, 2.4}}, all_elements(mesh)},
+                      bulk, density);
+        for (std::size_t ring = 0; ring < expected.size(); ++ring) {
+            SCOPED_TRACE(testing::Message() << "ring " << ring << " at " << load);
+            expect_alike(rings.values()[ring], expected[ring]);
+        }
+    }
+    EXPECT_GT(followed, 100);
+}
+
+std::string name_of(const testing::TestParamInfo<ElasticShares::ParamType>& test) {
+    const auto& [plane, density] = test.param;
+    return std::string(plane == PlaneState::Strain ? "strain" : "stress") +
+           (density == EnergyDensity::Elastic ? "Elastic" : "StressWork");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ElasticShares,
+                         testing::Combine(testing::Values(PlaneState::Strain, PlaneState::Stress),
+                                          testing::Values(EnergyDensity::StressWork, EnergyDensity::Elastic)),
+                         name_of);
+
+}  // namespace
+}  // namespace stria::test
