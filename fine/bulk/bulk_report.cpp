@@ -1,5 +1,6 @@
 #include "fine/bulk/bulk_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -78,6 +79,19 @@ void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density) {
         else
             add_points(rings, bulk, density, e);
     }
+}
+
+std::vector<std::int32_t> yielding_points(const Bulk& bulk) {
+    std::vector<std::int32_t> count(at(bulk.elements().count()), 0);
+    for (const int e : bulk.yielded().members()) count[at(e)] = bulk.history().yielding_points(e);
+    return count;
+}
+
+double largest_plastic_increment(const Bulk& bulk) {
+    double largest = 0.0;
+    for (const int e : bulk.yielded().members())
+        largest = std::max(largest, bulk.history().largest_plastic_increment(e));
+    return largest;
 }
 
 double force_ahead(const Bulk& bulk, const Tip& tip, double radius) {

@@ -1,4 +1,5 @@
-// What is reported of the bulk: its share of domain integrals, the force ahead of a tip, and the state of its points.
+// What is reported of the bulk: its share of domain integrals, who yields, the force ahead of a tip, and the state of
+// its points.
 #pragma once
 
 #include "common/fracture/domain_integral.hpp"
@@ -9,6 +10,12 @@ namespace stria::fine {
 
 /// Adds the committed bulk's share to the domain integrals of a tip.
 void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density);
+
+/// Of the trial state, per element: points that yield.
+[[nodiscard]] std::vector<std::int32_t> yielding_points(const Bulk& bulk);
+
+/// Of the accumulated plastic strain in the trial increment, over all points that yield.
+[[nodiscard]] double largest_plastic_increment(const Bulk& bulk);
 
 /// Integral of the normal stress, across the line ahead, over the sector of 45 degrees to either side within a radius
 /// (mm) of the tip, N; of the trial state.

@@ -10,7 +10,7 @@ StandingPoints::StandingPoints(const BulkElements& elements, const StandingPoint
     for (int e = 0; e < elements.count(); ++e) {
         const ElementOperator& op = elements.op(e);
         if (old == nullptr || !elements.has_stayed(e)) {
-            bound_.add_element(op, VonMisesForm(elements.elastic_stiffness(e)));
+            bound_.add_element(op, corners_of_element(elements.mesh(), e), VonMisesForm(elements.elastic_stiffness(e)));
             continue;
         }
         const int was = elements.was(e);

@@ -186,8 +186,8 @@ coupling::PatchResponse ZoneSystem::measure() {
             response.contact_residual, contact_->residual_at_rest(at_rest_.response().tail(contact_->tractions())));
     response.interior_correction = largest_move_;
     response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
-    response.digest.yielding_points = bulk_->history().yielding_points();
-    response.digest.largest_plastic_increment = bulk_->history().largest_plastic_increment();
+    response.digest.yielding_points = yielding_points(*bulk_);
+    response.digest.largest_plastic_increment = largest_plastic_increment(*bulk_);
     for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
         response.digest.force_ahead.push_back(force_ahead(*bulk_, patch_.mesh.tips[t], patch_.ahead[t]));
     measure_faces(response.digest);

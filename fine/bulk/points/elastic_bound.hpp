@@ -1,6 +1,7 @@
 // Which elements surely stay elastic: their points need not be looked at.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,8 +16,8 @@ namespace stria::fine {
 class ElasticBound {
 public:
     /// Numbered as they come.
-    void add_element(const ElementOperator& op, const VonMisesForm& form) {
-        changes_.add_element(op, form);
+    void add_element(const ElementOperator& op, const std::array<Vec2, 4>& corners, const VonMisesForm& form) {
+        changes_.add_element(op, corners, form);
         margin_.push_back(0.0);
     }
     /// As StressChanges has it.
@@ -38,7 +39,7 @@ public:
     [[nodiscard]] bool proves_at(int element, const Eigen::VectorXd& u, double part = 1.0) const {
         constexpr double safety = 1.0 - 1e-6;  // what rounding may do
         const double margin = part * margin_[at(element)];
-        return changes_.at_displacement(element, u) < safety * margin * margin;
+        return changes_.stay_below(element, u, safety * margin * margin);
     }
 
 private:

@@ -108,19 +108,17 @@ void PointHistory::set_elastic(int e) {
     std::fill_n(&yielding_[place(0, e, 0)], points(e), static_cast<unsigned char>(0));
 }
 
-std::vector<std::int32_t> PointHistory::yielding_points() const {
-    std::vector<std::int32_t> count(first_.size() - 1, 0);
-    for (std::size_t e = 0; e < count.size(); ++e)
-        count[e] = static_cast<std::int32_t>(std::count_if(
-            yielding_.begin() + first_[e], yielding_.begin() + first_[e + 1], [](auto y) { return y != 0; }));
-    return count;
+int PointHistory::yielding_points(int e) const {
+    return static_cast<int>(
+        std::ranges::count_if(std::span(&yielding_[place(0, e, 0)], at(points(e))), [](auto y) { return y != 0; }));
 }
 
-double PointHistory::largest_plastic_increment() const {
+double PointHistory::largest_plastic_increment(int e) const {
     double largest = 0.0;
-    const auto offset = at(state::accumulated) * at(points());
-    for (std::size_t q = 0; q < yielding_.size(); ++q)
-        if (yielding_[q] != 0) largest = std::max(largest, trial_[offset + q] - committed_[offset + q]);
+    for (std::size_t q = 0; q < at(points(e)); ++q) {
+        const std::size_t accumulated = place(state::accumulated, e, q);
+        if (yields(e, q)) largest = std::max(largest, trial_[accumulated] - committed_[accumulated]);
+    }
     return largest;
 }
 

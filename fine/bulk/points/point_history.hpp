@@ -80,10 +80,10 @@ public:
     [[nodiscard]] bool yields(int e, std::size_t q) const { return yielding_[place(0, e, q)] != 0; }
     [[nodiscard]] bool yields(int e) const;
     void set_elastic(int e);
-    /// Per element: points that yield.
-    [[nodiscard]] std::vector<std::int32_t> yielding_points() const;
-    /// Of the accumulated plastic strain, over points that yield.
-    [[nodiscard]] double largest_plastic_increment() const;
+    /// Points of an element that yield.
+    [[nodiscard]] int yielding_points(int e) const;
+    /// Of the accumulated plastic strain, over points of an element that yield.
+    [[nodiscard]] double largest_plastic_increment(int e) const;
 
     /// Of the accumulated plastic strain, in the committed increments since the last half cycle ended.
     [[nodiscard]] double flow(int e, std::size_t q) const { return flow_[place(0, e, q)]; }

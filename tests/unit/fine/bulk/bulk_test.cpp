@@ -50,7 +50,7 @@ std::vector<Eigen::MatrixXd> tangents_of(const Bulk& bulk) {
 
 int yielding(const Bulk& bulk) {
     int sum = 0;
-    for (const int count : bulk.history().yielding_points()) sum += count;
+    for (const int count : yielding_points(bulk)) sum += count;
     return sum;
 }
 
