@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "common/index.hpp"
@@ -268,11 +269,11 @@ double ContactInterface::dissipated(const Eigen::VectorXd& before, const Eigen::
 }
 
 // Beyond the last node of a branch a share may be negative: what it makes of pressure and shear is not.
-ContactInterface::FaceTraction ContactInterface::traction_at(const FaceStation& station,
+ContactInterface::FaceTraction ContactInterface::traction_of(const FaceOperators::Acting& acting,
                                                              const Eigen::VectorXd& traction) const {
     FaceTraction sum;
     double largest = 0.0, friction = 0.0;
-    for (const auto& [multiplier, value] : operators_.functions_at(station)) {
+    for (const auto& [multiplier, value] : acting) {
         if (multiplier < 0) continue;
         sum.pressure += value * traction[multiplier];
         if (shear_of(multiplier) < 0) continue;
@@ -285,6 +286,14 @@ ContactInterface::FaceTraction ContactInterface::traction_at(const FaceStation& 
     const double bound = friction * sum.pressure;
     sum.shear = std::clamp(sum.shear, -bound, bound);
     return sum;
+}
+
+std::vector<ContactInterface::FaceTraction>
+ContactInterface::tractions_at_stations(const Eigen::VectorXd& traction) const {
+    std::vector<FaceTraction> all;
+    std::ranges::transform(operators_.acting(), std::back_inserter(all),
+                           [&](const FaceOperators::Acting& acting) { return traction_of(acting, traction); });
+    return all;
 }
 
 }  // namespace stria::fine

@@ -133,9 +133,14 @@ public:
         double pressure = 0.0, shear = 0.0;
         bool slides = false;
     };
-    [[nodiscard]] FaceTraction traction_at(const FaceStation& station, const Eigen::VectorXd& traction) const;
+    [[nodiscard]] FaceTraction traction_at(const FaceStation& station, const Eigen::VectorXd& traction) const {
+        return traction_of(operators_.functions_at(station), traction);
+    }
+    /// At each of operators().stations().
+    [[nodiscard]] std::vector<FaceTraction> tractions_at_stations(const Eigen::VectorXd& traction) const;
 
 private:
+    [[nodiscard]] FaceTraction traction_of(const FaceOperators::Acting& acting, const Eigen::VectorXd& traction) const;
     [[nodiscard]] CoulombContact law(int k) const { return {operators_.friction(k), augmentation_[k]}; }
     [[nodiscard]] FaceStatus status_at(int k, const FaceState& state) const {
         return law(k).is_undecided(state) ? status_[at(k)] : law(k).status(state);

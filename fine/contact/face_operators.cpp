@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -96,6 +97,8 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
             middle_.push_back(space.middle(k));
         }
     }
+    std::ranges::transform(stations_, std::back_inserter(acting_),
+                           [&](const FaceStation& station) { return functions_at(station); });
     B_.resize(count, mesh.unknowns);
     T_.resize(count, mesh.unknowns);
     weight_ = friction_ = fixed_gap_ = fixed_slip_ = Eigen::VectorXd::Zero(count);
@@ -198,16 +201,12 @@ const FaceOperators::CrackSpace& FaceOperators::space_of(int crack) const {
     return *std::ranges::find(spaces_, crack, &CrackSpace::crack);
 }
 
-std::array<MultiplierSpace::Value, 2> FaceOperators::functions_at(int crack, double s) const {
+FaceOperators::Acting FaceOperators::functions_at(int crack, double s) const {
     const CrackSpace& entry = space_of(crack);
     auto values = entry.space.acting_at(s);
     for (auto& value : values)
         if (value.multiplier >= 0) value.multiplier += entry.first_multiplier;
     return values;
-}
-
-std::array<MultiplierSpace::Value, 2> FaceOperators::functions_at(const FaceStation& station) const {
-    return functions_at(station.crack, station.s);
 }
 
 Eigen::VectorXd FaceOperators::gaps(const Eigen::VectorXd& u) const {

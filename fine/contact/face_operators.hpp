@@ -69,9 +69,14 @@ public:
     [[nodiscard]] std::vector<int> acts_on(int k) const;
 
     /// The at most two multipliers that act at a station, with their shares; -1: none.
-    [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(const FaceStation& station) const;
+    using Acting = std::array<MultiplierSpace::Value, 2>;
+    [[nodiscard]] Acting functions_at(const FaceStation& station) const {
+        return functions_at(station.crack, station.s);
+    }
 
     [[nodiscard]] const std::vector<FaceStation>& stations() const { return stations_; }
+    /// The multipliers that act at each of them.
+    [[nodiscard]] const std::vector<Acting>& acting() const { return acting_; }
     /// Of faces without contact: of cracks that have none, and of notches.
     [[nodiscard]] const std::vector<FaceStation>& free_stations() const { return free_stations_; }
     [[nodiscard]] std::int64_t interface_elements() const;
@@ -100,7 +105,7 @@ private:
         MultiplierSpace space;
     };
     [[nodiscard]] const CrackSpace& space_of(int crack) const;
-    [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(int crack, double s) const;
+    [[nodiscard]] Acting functions_at(int crack, double s) const;
     [[nodiscard]] MultiplierSpace space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
                                            const CrackSection& section) const;
     void number_shears(const std::vector<CrackSection>& cracks);
@@ -113,6 +118,7 @@ private:
 
     std::vector<CrackSpace> spaces_;
     std::vector<FaceStation> stations_, free_stations_;
+    std::vector<Acting> acting_;  // at stations_
     std::vector<Key> keys_;
     std::vector<double> middle_;
     std::vector<int> with_shear_, shear_of_;  // multiplier of each shear, and back

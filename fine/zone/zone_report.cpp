@@ -32,8 +32,9 @@ coupling::FaceSample sample_at(const CommittedZone& zone, const FaceStation& sta
             .slip = station.slip(zone.displacement)};
 }
 
-coupling::FaceSample touching_sample_at(const CommittedZone& zone, const FaceStation& station) {
-    const auto [pressure, shear, slides] = zone.contact.traction_at(station, zone.traction);
+coupling::FaceSample touching_sample_at(const CommittedZone& zone, const FaceStation& station,
+                                        const ContactInterface::FaceTraction& traction) {
+    const auto& [pressure, shear, slides] = traction;
     coupling::FaceSample sample = sample_at(zone, station);
     sample.pressure = pressure;
     sample.shear = shear;
@@ -163,21 +164,25 @@ std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::v
     return reports;
 }
 
+using Tractions = std::vector<ContactInterface::FaceTraction>;  // of the contact's stations
+
 /// One per station that may touch, by crack and arc length, and those of free faces behind them.
-std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone) {
+std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone, const Tractions& tractions) {
     std::vector<coupling::FaceSample> samples;
     const FaceOperators& faces = zone.contact.operators();
-    for (const FaceStation& station : faces.stations()) samples.push_back(touching_sample_at(zone, station));
+    for (std::size_t k = 0; k < tractions.size(); ++k)
+        samples.push_back(touching_sample_at(zone, faces.stations()[k], tractions[k]));
     for (const FaceStation& station : faces.free_stations()) samples.push_back(sample_at(zone, station));
     return samples;
 }
 
 /// Length in contact, mm, one per crack.
-std::vector<double> contact_lengths(const CommittedZone& zone, std::size_t cracks) {
+std::vector<double> contact_lengths(const CommittedZone& zone, const Tractions& tractions, std::size_t cracks) {
     std::vector<double> lengths(cracks, 0.0);
-    for (const FaceStation& station : zone.contact.operators().stations())
-        if (zone.contact.traction_at(station, zone.traction).pressure > 0.0)
-            lengths[at(station.crack)] += station.weight;
+    for (std::size_t k = 0; k < tractions.size(); ++k) {
+        const FaceStation& station = zone.contact.operators().stations()[k];
+        if (tractions[k].pressure > 0.0) lengths[at(station.crack)] += station.weight;
+    }
     return lengths;
 }
 
@@ -197,10 +202,11 @@ std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks
 void report_on(const CommittedZone& zone, std::vector<TipRings>& rings, std::size_t cracks,
                const coupling::Commit& what, coupling::StepReport& report) {
     report.tips = report_tips(zone);
-    report.contact_length = contact_lengths(zone, cracks);
+    const Tractions tractions = zone.contact.tractions_at_stations(zone.traction);
+    report.contact_length = contact_lengths(zone, tractions, cracks);
     report.mouth_opening = mouth_openings(zone, cracks);
     if (!what.brief) report.rings = report_rings(zone, rings);
-    if (!what.no_faces) report.faces = report_faces(zone);
+    if (!what.no_faces) report.faces = report_faces(zone, tractions);
 }
 
 }  // namespace stria::fine
