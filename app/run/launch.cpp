@@ -17,6 +17,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sstream>
+#include <string_view>
 #include <sys/resource.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -95,6 +97,31 @@ bool is_done(const std::filesystem::path& folder) {
 /// Where this program and its components are.
 std::string programs_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path().string(); }
 
+bool can_be_started(const std::filesystem::path& program) {
+    std::error_code problem;
+    return std::filesystem::is_regular_file(program, problem) && access(program.c_str(), X_OK) == 0;
+}
+
+/// As a shell looks for it. An empty folder of the path is the present one.
+bool is_on_path(const std::string& name) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "/bin:/usr/bin");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (can_be_started(std::filesystem::path(folder) / name)) return true;
+    return false;
+}
+
+/// Before anything is started: mpirun would say nothing, with its --quiet, of a program that is not there.
+void require_programs(const std::string& programs, bool with_fine) {
+    for (const char* name : {"stria-coarse", "stria-fine"})
+        if ((with_fine || name == std::string_view("stria-coarse")) && !can_be_started(programs + "/" + name))
+            throw FileFailure(fmt::format("{}/{}: there is no such program; stria starts those beside it, --mode "
+                                          "inprocess needs none",
+                                          programs, name));
+    if (with_fine && !is_on_path("mpirun"))
+        throw FileFailure("mpirun: there is no such program on PATH; --mode inprocess needs none");
+}
+
 }  // namespace
 
 void claim_output_directory(RunOptions& options) {
@@ -150,7 +177,9 @@ std::vector<std::string> launch_command(const RunOptions& options, const std::st
 int launch(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
     const bool with_fine = needs_fine(input);
-    const std::vector<std::string> command = launch_command(options, programs_folder(), with_fine);
+    const std::string programs = programs_folder();
+    require_programs(programs, with_fine);
+    const std::vector<std::string> command = launch_command(options, programs, with_fine);
     if (options.verbose) fmt::print("{}\n", fmt::join(command, " "));
     for (const auto& [name, value] : environment) setenv(name, value, 0);
     if (with_fine) choose_way_of_messages(parts_of(options, with_fine).processes);

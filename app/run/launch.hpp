@@ -28,7 +28,7 @@ WayOfMessages way_of_messages(int processes, std::uint64_t room);
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine);
 
 /// Runs that command with the environment that Open MPI needs. Returns its exit code. Throws ComponentLost where
-/// a component was lost, FileFailure where the machine has no room for their messages.
+/// a component was lost, FileFailure where the machine has no room for their messages or a program is not there.
 int launch(const RunOptions& options);
 
 /// The words of `stria run` with these options, by this program.

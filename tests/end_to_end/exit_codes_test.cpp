@@ -63,6 +63,25 @@ TEST_F(ExitCode, NamesAFolderThatCannotBeMade) {
     EXPECT_TRUE(says("file/out: the folder of results cannot be made or written to")) << said();
 }
 
+// One that was copied away from its components, which follow one by one.
+TEST_F(ExitCode, NamesAProgramThatIsNotThere) {
+    const auto refused = [&](const std::string& path, const std::string& missing) {
+        Words words{path, folder / "stria", "run", shipped_sent, "-o", output};
+        for (const std::string& setting : quick) words.insert(words.end(), {"--set", setting});
+        EXPECT_EQ(run_program("env", words, folder / "log"), 5) << said();
+        EXPECT_TRUE(says(missing + ": there is no such program")) << said();
+        EXPECT_TRUE(std::filesystem::is_empty(output));
+    };
+    const auto bring = [&](const std::string& name) { std::filesystem::copy_file(own_program(name), folder / name); };
+    const std::string path = std::string("PATH=") + std::getenv("PATH");
+    bring("stria");
+    refused(path, folder / "stria-coarse");
+    bring("stria-coarse");
+    refused(path, folder / "stria-fine");
+    bring("stria-fine");
+    refused("PATH=/nowhere", "stria: mpirun");
+}
+
 // In a name space of its own, as containers have it.
 TEST_F(ExitCode, IsZeroWithLittleSharedMemory) {
     const auto with = [&](const std::string& size) {
