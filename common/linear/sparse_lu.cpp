@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <string>
 
 #include "common/error.hpp"
@@ -46,6 +47,7 @@ Control settings() {
 
 void expect_ok(int status) {
     if (status == UMFPACK_OK) return;
+    if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
     throw NumericalFailure("sparse LU: the matrix is singular (UMFPACK status " + std::to_string(status) + ")");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "common/index.hpp"
 #include "common/linear/blas.hpp"
 #include "common/linear/lapack.hpp"
+#include "common/linear/lower_block.hpp"
 
 namespace stria {
 namespace {
@@ -31,23 +33,6 @@ cholmod_sparse view(SparseMatrix& lower) {
     result.dtype = CHOLMOD_DOUBLE;
     result.sorted = result.packed = 1;
     return result;
-}
-
-/// Lower triangle of K_ii. The interior keeps its order, so that the rows of a column stay sorted.
-SparseMatrix interior_block(const SparseMatrix& stiffness, const std::vector<int>& interior) {
-    std::vector<int> number(at(static_cast<int>(stiffness.rows())), -1);
-    for (int i = 0; i < static_cast<int>(interior.size()); ++i) number[at(interior[at(i)])] = i;
-    SparseMatrix block(std::ssize(interior), std::ssize(interior));
-    block.reserve(stiffness.nonZeros() / 2 + stiffness.rows());
-    for (int column = 0; column < block.outerSize(); ++column) {
-        block.startVec(column);
-        for (SparseMatrix::InnerIterator entry(stiffness, interior[at(column)]); entry; ++entry) {
-            const int row = number[at(entry.index())];
-            if (row >= column) block.insertBack(row, column) = entry.value();
-        }
-    }
-    block.finalize();
-    return block;
 }
 
 }  // namespace
@@ -71,6 +56,7 @@ struct SparseLeaf::Factor {
     [[nodiscard]] int size() const { return static_cast<int>(order.size()); }
     [[nodiscard]] int boundary() const { return size() - interior; }
 
+    void expect(bool done, const char* otherwise) const;
     void choose_order(const SparseMatrix& stiffness, const std::vector<int>& boundary);
     void factor(SparseMatrix& lower);
     void read_supernodes(const Eigen::VectorXd& diagonal);
@@ -87,6 +73,12 @@ struct SparseLeaf::Factor {
     Eigen::MatrixXd last;  // L22: L L^T of K + tau I_b, boundary rows and columns; zeros above
 };
 
+// Short of memory, or of integers to count the factor, the matrix is none the worse: as where any allocation fails.
+void SparseLeaf::Factor::expect(bool done, const char* otherwise) const {
+    if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+    if (!done) throw NumericalFailure(otherwise);
+}
+
 void SparseLeaf::Factor::choose_order(const SparseMatrix& stiffness, const std::vector<int>& boundary) {
     std::vector<bool> kept(at(static_cast<int>(stiffness.rows())));
     for (const int unknown : boundary) {
@@ -101,10 +93,10 @@ void SparseLeaf::Factor::choose_order(const SparseMatrix& stiffness, const std::
     interior = static_cast<int>(inside.size());
     std::vector<int> permutation(inside.size());
     if (interior > 0) {
-        SparseMatrix block = interior_block(stiffness, inside);
+        SparseMatrix block = lower_block(stiffness, inside);
         cholmod_sparse pattern = view(block);
         const bool ordered = cholmod_amd(&pattern, nullptr, 0, permutation.data(), &common) != 0;
-        if (!ordered) throw NumericalFailure("sparse leaf: CHOLMOD found no ordering");
+        expect(ordered, "sparse leaf: CHOLMOD found no ordering");
     }
     order.clear();
     for (const int place : permutation) order.push_back(inside[at(place)]);
@@ -120,9 +112,10 @@ void SparseLeaf::Factor::factor(SparseMatrix& lower) {
     lower.makeCompressed();  // boundary unknowns that no element here sees had no diagonal
     cholmod_sparse matrix = view(lower);
     cholesky = cholmod_analyze(&matrix, &common);
-    if (cholesky == nullptr) throw NumericalFailure("sparse leaf: CHOLMOD could not analyse the matrix");
+    expect(cholesky != nullptr, "sparse leaf: CHOLMOD could not analyse the matrix");
     const bool done = cholmod_factorize(&matrix, cholesky, &common) != 0;
-    if (!done || common.status != CHOLMOD_OK) {
+    expect(done, "sparse leaf: CHOLMOD could not factor the matrix");
+    if (common.status != CHOLMOD_OK) {
         const bool known = cholesky->minor < cholesky->n;
         const std::string where = known ? " at unknown " + std::to_string(order[cholesky->minor]) : "";
         throw NumericalFailure("the stiffness of the structure is not positive definite" + where);
@@ -170,7 +163,7 @@ Eigen::VectorXd SparseLeaf::Factor::solve(int system, Eigen::VectorXd right_hand
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
     cholmod_dense* x = cholmod_solve(system, cholesky, &b, &common);
-    if (x == nullptr) throw NumericalFailure("sparse leaf: CHOLMOD could not solve");
+    expect(x != nullptr, "sparse leaf: CHOLMOD could not solve");
     std::copy_n(static_cast<const double*>(x->x), right_hand_side.size(), right_hand_side.data());
     cholmod_free_dense(&x, &common);
     return right_hand_side;

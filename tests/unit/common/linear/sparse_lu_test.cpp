@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "common/error.hpp"
+#include "tests/support/short_memory.hpp"
 
 namespace stria {
 namespace {
@@ -51,6 +52,13 @@ TEST(SparseLu, ServesManyRightHandSides) {
         const Eigen::VectorXd expected = dense.partialPivLu().solve(b);
         EXPECT_LT((factor.solve(b) - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
     }
+}
+
+TEST(SparseLu, ShortMemoryIsNoFlawOfTheMatrix) {
+    const SparseMatrix a = held_chain(40, 1.0, 1.0, 0.3);
+    EXPECT_GT(test::allocations_of([&] { const SparseLu factor(a); }), 10);
+    const SparseLu factor(a);
+    EXPECT_GT(test::allocations_of([&] { (void)factor.solve(Eigen::VectorXd::Ones(a.rows())); }), 0);
 }
 
 TEST(SparseLu, BearsTheUnitsOfContact) {

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "common/error.hpp"
+#include "tests/support/short_memory.hpp"
 
 namespace stria {
 namespace {
@@ -120,6 +121,14 @@ TEST(SparseLeaf, AnIndefiniteInteriorIsRefused) {
     k.coeffRef(12, 12) = -1.0;
     EXPECT_THROW(SparseLeaf(k, {0}), NumericalFailure);
     EXPECT_NO_THROW(SparseLeaf(springs(6, 5, 1.0), {12}));
+}
+
+// No matter at which place it runs out: the matrix is as good as before.
+TEST(SparseLeaf, ShortMemoryIsNoFlawOfTheMatrix) {
+    const SparseMatrix k = springs(14, 11, 3.0);
+    EXPECT_GT(test::allocations_of([&] { const SparseLeaf leaf(k, last_column(14, 11)); }), 10);
+    const SparseLeaf leaf(k, last_column(14, 11));
+    EXPECT_GT(test::allocations_of([&] { (void)leaf.reduce(Eigen::VectorXd::Ones(k.rows())); }), 0);
 }
 
 TEST(SparseLeaf, AWrongBoundaryIsAMistake) {
