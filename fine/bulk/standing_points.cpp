@@ -68,11 +68,19 @@ bool StandingPoints::would_yield_at(int e, const Eigen::VectorXd& u, const BulkE
                                     PointHistory& history) {
     if (bound_.proves_at(e, u)) return false;
     const ElementOperator& op = elements.op(e);
-    history.update(op, e, ahead(op, e, u));
+    const auto forget = [&] {  // a look is no trial, whatever comes of it
+        history.set_elastic(e);
+        history.rollback(e);
+    };
+    try {
+        history.update(op, e, ahead(op, e, u));
+    } catch (...) {
+        forget();
+        throw;
+    }
     const bool yields = history.yields(e);
     if (!yields) bound_.look_at(e, gather(u, op.unknowns), history.trial_elastic_margin(e));
-    history.set_elastic(e);
-    history.rollback(e);
+    forget();
     return yields;
 }
 

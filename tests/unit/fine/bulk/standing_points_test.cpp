@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/error.hpp"
 #include "tests/support/plate_bulk.hpp"
 #include "tests/support/point_histories.hpp"
 
@@ -36,6 +37,24 @@ TEST_F(Standing, YieldWhereTheStateMeetsTheYieldCriterion) {
         EXPECT_EQ(history.trial_stress(e, 0), Mandel(Mandel::Zero()));
         EXPECT_FALSE(history.yields(e));
     }
+}
+
+// One corner moves so far that the squares of some stresses are no numbers, and those of points before them are.
+TEST_F(Standing, ForgetALookThatFails) {
+    constexpr int e = 12;
+    int failed = 0;
+    for (double way = 1e147; way < 1e151; way *= 1.1) {
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(plate.mesh.unknowns);
+        u[plate.elements.op(e).unknowns[5]] = way;
+        try {
+            EXPECT_TRUE(points.would_yield_at(e, u, plate.elements, history));
+        } catch (const NumericalFailure&) {
+            ++failed;
+        }
+        EXPECT_FALSE(history.yields(e)) << way;
+        for (int q = 0; q < history.points(e); ++q) EXPECT_EQ(history.trial_stress(e, at(q)), Mandel(Mandel::Zero()));
+    }
+    EXPECT_GT(failed, 0);
 }
 
 TEST_F(Standing, CountTheWayFromThere) {
