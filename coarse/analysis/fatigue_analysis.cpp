@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <new>
 #include <utility>
 
 #include "coarse/advice/limit_load_hint.hpp"
@@ -41,7 +42,7 @@ void FatigueAnalysis::look_ahead() {
 }
 
 AnalysisState FatigueAnalysis::state() const {
-    if (before_growth_) return *before_growth_;
+    if (before_change_) return *before_change_;
     AnalysisState state = state_beside_zone();
     model_.write_dear(state);
     return state;
@@ -60,11 +61,6 @@ AnalysisState FatigueAnalysis::state_beside_zone() const {
     state.release = release_;
     state.load = controller_.position();
     return state;
-}
-
-CoarseEffort FatigueAnalysis::effort() const {
-    CoarseEffort total = effort_;
-    return total += model_.effort();
 }
 
 void FatigueAnalysis::run() {
@@ -101,8 +97,7 @@ bool FatigueAnalysis::settle_initial_stress() {
         if (report.stopped) return false;
         if (!report.converged) {
             listener_.breaks_off();
-            throw NumericalFailure("the initial stress finds no equilibrium without load: " + report.failure +
-                                   "; it may be more than the body bears");
+            throw NumericalFailure(stress_does_not_settle(report));
         }
     } while (zone_must_grow(step));
     accept(step, report, {});
@@ -122,11 +117,6 @@ bool FatigueAnalysis::is_to_end() const {
     if (listener_.goes_on()) return false;
     listener_.breaks_off();
     return true;
-}
-
-std::optional<LoadStep> FatigueAnalysis::next() const {
-    if (growth_ && growth_->ended()) return std::nullopt;
-    return controller_.next();
 }
 
 std::optional<NewtonReport> FatigueAnalysis::solve_equilibrium(const LoadStep& step) {
@@ -149,11 +139,9 @@ NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
     model_.rollback();
     if (report.stopped) return;
-    const int done = effort_.counts.increments;
     if (!controller_.cut())
-        fail(fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}", done + 1, step.cycle,
-                         to_text(step.target), report.failure, controller_.max_cuts(),
-                         last_converged(done, controller_.reached_target(), model_.load_factor(), step.target)));
+        fail(no_equilibrium(step, report, controller_.max_cuts(), effort_.counts.increments,
+                            controller_.reached_target(), model_.load_factor()));
     listener_.note(fmt::format("{}: {}; the increment is halved", to_text(step.target), report.failure));
 }
 
@@ -166,7 +154,9 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
         return false;
     }
     listener_.note(elements_join_zone(step, yielding.size()));
-    model_.extend_zone(yielding);
+    const ElementSet inside = model_.prepare_extension();
+    change_body(fmt::format("{}: the zone cannot grow", to_text(step.target)),
+                [&] { model_.extend_zone(yielding, inside); });
     controller_.forget_increments();
     return true;
 }
@@ -232,27 +222,42 @@ void FatigueAnalysis::end_cycle(Increment& increment) {
 }
 
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium
-// without them. Where (a) fails, only the state before it is whole.
+// without them.
 bool FatigueAnalysis::grow_where_due() {
     if (!due_growth_.due) return true;
     model_.prepare_growth();
-    AnalysisState before = state_beside_zone();
-    try {
+    change_body(fmt::format("cycle {}: the cracks cannot grow", due_growth_.cycle), [&] {
         GrownScene grown = growth_->next(body_, last_cycle_);
         if (growth_->ended() && accepted_.number > 0) listener_.growth_ended(accepted_, body_.structure());
-        if (grown.longer) {
-            if (!model_.lengthen_cracks(std::move(grown), due_growth_.cycle)) controller_.forget_increments();
-            controller_.set_scale(body_.load_scale());
-            release_ = {.cycle = due_growth_.cycle, .moment = due_growth_.moment, .held = 1.0};
-        }
-    } catch (const NumericalFailure& failure) {
-        model_.write_kept(before);
-        before_growth_ = std::move(before);
-        listener_.breaks_off();
-        throw NumericalFailure(fmt::format("cycle {}: the cracks cannot grow: {}", due_growth_.cycle, failure.what()));
-    }
+        if (!grown.longer) return;
+        if (!model_.lengthen_cracks(std::move(grown), due_growth_.cycle)) controller_.forget_increments();
+        controller_.set_scale(body_.load_scale());
+        release_ = {.cycle = due_growth_.cycle, .moment = due_growth_.moment, .held = 1.0};
+    });
     due_growth_ = {};
     return release_new_faces();
+}
+
+// Where it fails, also for want of memory, only the state before it is whole.
+void FatigueAnalysis::change_body(const std::string& what, const std::function<void()>& change) {
+    AnalysisState before = state_beside_zone();
+    const auto break_off = [&] {
+        model_.write_kept(before);
+        before_change_ = std::move(before);
+        listener_.breaks_off();
+    };
+    try {
+        change();
+    } catch (const NumericalFailure& failure) {
+        break_off();
+        throw NumericalFailure(what + ": " + failure.what());
+    } catch (const CaseError&) {
+        break_off();
+        throw;
+    } catch (const std::bad_alloc&) {
+        break_off();
+        throw;
+    }
 }
 
 // At once where Newton's method gets there; else in parts, halved like any increment.

@@ -1,7 +1,10 @@
 // The outer loop: load after load to equilibrium, the zone extended where the structure would yield, the cracks grown.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "coarse/analysis/crack_growth.hpp"
 #include "coarse/analysis/two_scale_model.hpp"
@@ -51,7 +54,10 @@ public:
     [[nodiscard]] const ClosureMeter& closure() const { return closure_.meter(); }
     /// Increments that were halved.
     [[nodiscard]] int cuts() const { return controller_.cuts() + effort_.counts.release_cuts; }
-    [[nodiscard]] CoarseEffort effort() const;
+    [[nodiscard]] CoarseEffort effort() const {
+        CoarseEffort total = effort_;
+        return total += model_.effort();
+    }
 
 private:
     [[nodiscard]] AnalysisState state_beside_zone() const;
@@ -61,7 +67,9 @@ private:
     void compare_increments();
     [[nodiscard]] bool is_to_end() const;
     [[nodiscard]] bool settle_initial_stress();
-    [[nodiscard]] std::optional<LoadStep> next() const;
+    [[nodiscard]] std::optional<LoadStep> next() const {
+        return growth_ && growth_->ended() ? std::nullopt : controller_.next();
+    }
     [[nodiscard]] std::optional<NewtonReport> solve_equilibrium(const LoadStep& step);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
@@ -70,12 +78,14 @@ private:
     /// An increment that has been found and put aside.
     [[nodiscard]] bool makes_again(LoadStep step, NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
-    void end_cycle(Increment& increment);
     void note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const;
+    void end_cycle(Increment& increment);
     /// Both: false where the run is to end.
     bool grow_where_due();
     bool release_new_faces();
     void cut_release_or_fail(const LoadStep& step, const NewtonReport& report);
+    /// Turns to longer cracks or another zone. `what`: that cannot be done, where it fails.
+    void change_body(const std::string& what, const std::function<void()>& change);
     [[noreturn]] void fail(const std::string& what) const;
 
     Listener listener_;
@@ -89,7 +99,7 @@ private:
     std::vector<CycleResult> last_cycle_;  // one per tip, of the last cycle that ended
     std::optional<CrackGrowth> growth_;
     DueGrowth due_growth_;
-    std::optional<AnalysisState> before_growth_;  // of a growth that has failed: the last state that is whole
+    std::optional<AnalysisState> before_change_;  // that has failed: the last state that is whole
     FaceRelease release_;
     TwoScaleModel model_;
 };

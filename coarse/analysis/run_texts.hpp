@@ -10,9 +10,11 @@
 
 namespace stria::coarse {
 
-/// How far `increments` that have converged have come: to a target, at a load factor.
-[[nodiscard]] std::string last_converged(int increments, const Target& reached, double load_factor,
-                                         const Target& towards);
+/// Halved so often an increment still finds none. `increments` have converged: to a target, at a load factor.
+[[nodiscard]] std::string no_equilibrium(const LoadStep& step, const NewtonReport& report, int halvings, int increments,
+                                         const Target& reached, double load_factor);
+
+[[nodiscard]] std::string stress_does_not_settle(const NewtonReport& report);
 
 /// Figure 3 (b) has no end. `nominal`: one per tip, of the longer cracks.
 [[nodiscard]] std::string faces_not_released(const LoadStep& step, const NewtonReport& report,

@@ -163,10 +163,21 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     return increment;
 }
 
-void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
-    const ElementSet inside = flowing_in(body_.in_zone(), equilibrium_->yielding_points());
+void TwoScaleModel::keep_zone() {
+    is_kept_ = body_.has_zone();
+    if (is_kept_) factory_.keep_zone();
+}
+
+// All of the displacement is found: nothing far is left to keep.
+ElementSet TwoScaleModel::prepare_extension() {
+    ElementSet inside = flowing_in(body_.in_zone(), equilibrium_->yielding_points());
     rollback();
+    keep_zone();
     displacement_.catch_up(*equilibrium_, mesh());
+    return inside;
+}
+
+void TwoScaleModel::extend_zone(const std::vector<int>& yielding, const ElementSet& inside) {
     ++effort_.counts.zone_extensions;
     std::vector<int> joining = yielding;
     if (std::unique_ptr<FinerScene> finer = body_.finer_about_flow(yielding, inside)) {
@@ -181,8 +192,7 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
 // is far.
 void TwoScaleModel::prepare_growth() {
     const Stopwatch watch(effort_.growth_s);
-    is_kept_ = body_.has_zone();
-    if (is_kept_) factory_.keep_zone();
+    keep_zone();
     if (is_kept_)
         displacement_.catch_up_beside_far(*equilibrium_, mesh());
     else

@@ -37,8 +37,10 @@ public:
 
     /// Elements outside the zone that the trial state takes beyond yield, ascending.
     [[nodiscard]] std::vector<int> elements_beyond_yield() { return guard_.elements_beyond(*equilibrium_); }
-    /// They and their neighbours join the zone, split where they are large (fine.refine); the trial state is lost.
-    void extend_zone(const std::vector<int>& yielding);
+    /// Comes before extend_zone(): the trial state is lost, the zone is kept as it is. Returns what of the zone flowed.
+    [[nodiscard]] ElementSet prepare_extension();
+    /// They and their neighbours join the zone, split where they are large (fine.refine). `inside`: what flowed there.
+    void extend_zone(const std::vector<int>& yielding, const ElementSet& inside);
 
     /// Comes before lengthen_cracks(): the zone is kept as it is.
     void prepare_growth();
@@ -51,7 +53,7 @@ public:
     [[nodiscard]] CoarseEffort effort() const;
 
     /// All but the dear parts: the zone, and what far elements do. `write_kept`: these as they were when
-    /// prepare_growth() was called, beside what was written then.
+    /// prepare_growth() or prepare_extension() was called, beside what was written then.
     void write(AnalysisState& state) const;
     void write_dear(AnalysisState& state) const;
     void write_kept(AnalysisState& state) const;
@@ -61,6 +63,7 @@ private:
     [[nodiscard]] coupling::Commit commit_of(const LoadStep& step) const;
     /// What is asked of the mesh once so many cycles have passed.
     [[nodiscard]] MeshDemands demands(int passed) const;
+    void keep_zone();
     void turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun = {});
     void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
     CrackedBody::Outgrown split_elements(FinerScene finer);
@@ -81,7 +84,7 @@ private:
     std::optional<StructureRings> rings_;  // of the present structure
     MeshJudge mesh_judge_;
     CommittedDisplacement displacement_;
-    bool is_kept_ = false;        // prepare_growth() has met a zone
+    bool is_kept_ = false;        // keep_zone() has met one
     LoadFactors factors_;         // committed
     double largest_force_ = 0.0;  // largest scale of a residual that was committed, N/mm
     WorkBalance work_;            // committed

@@ -7,6 +7,7 @@
 #include "app/results/run_files.hpp"
 #include "app/run/coarse_run.hpp"
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
+#include "coarse/results/checkpoint.hpp"
 #include "common/error.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/deadline.hpp"
@@ -82,9 +83,32 @@ const std::vector<std::string> scene_that_splits{
     "fine.radius=1.0",      "load.steps=6",       "load.blocks=[{cycles=5, max=50.0, ratio=-1.0}]",
     "growth.increment=0.6", "output.fields=none", "output.checkpoint_every=0"};
 
+/// Its zone cannot grow without the cracks.
+template <class Error> class WithoutALargerZone : public coarse::CondensedFactory {
+public:
+    using CondensedFactory::CondensedFactory;
+    std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch,
+                                              const Eigen::VectorXd& committed,
+                                              const coarse::LoadFactors& factors) override {
+        if (factors.main > 41.0) throw Error("no room");
+        return CondensedFactory::make(structure, patch, committed, factors);
+    }
+};
+
+const std::vector<std::string> scene_that_spreads{
+    mesh_at_tip(0.4),
+    "mesh.size=12.5",
+    "load.steps=12",
+    "fine.radius=0.5",
+    "output.fields=none",
+    "output.checkpoint_every=0",
+    "load.blocks=[{cycles=1, max=40, ratio=-1}, {cycles=1, max=60, ratio=0}]"};
+
 /// What it says where it fails.
-template <class Factory> std::string run_of(const std::string& folder, bool resume) {
-    const Case input = sent_case(scene_that_splits);
+template <class Factory>
+std::string run_of(const std::string& folder, bool resume,
+                   const std::vector<std::string>& settings = scene_that_splits) {
+    const Case input = sent_case(settings);
     RunOptions options;
     options.case_path = shipped_sent;
     options.output_directory = folder;
@@ -95,7 +119,7 @@ template <class Factory> std::string run_of(const std::string& folder, bool resu
     Factory factory(&fine, input);
     try {
         CoarseRun(options, input, {"inprocess", 1, false}).perform(factory, nullptr);
-    } catch (const NumericalFailure& failure) {
+    } catch (const std::runtime_error& failure) {
         return failure.what();
     }
     return "";
@@ -124,6 +148,29 @@ TEST(BrokenOff, InTheMiddleOfAGrowthLeavesTheStateBeforeIt) {
     EXPECT_EQ(run_of<coarse::CondensedFactory>(folder / "whole", false), "");
     EXPECT_EQ(text_of(folder / "out/history.csv"), text_of(folder / "whole/history.csv"));
     EXPECT_EQ(text_of(folder / "out/faces.csv"), text_of(folder / "whole/faces.csv"));
+}
+
+// The increments since the last checkpoint are kept, whatever the larger zone lacks.
+template <class Error> class BrokenOffFor : public testing::Test {};
+using LacksOfAZone = testing::Types<NumericalFailure, CaseError>;
+TYPED_TEST_SUITE(BrokenOffFor, LacksOfAZone);
+
+TYPED_TEST(BrokenOffFor, ALargerZoneLeavesTheStateBeforeIt) {
+    const TemporaryFolder folder;
+    const std::string said = run_of<WithoutALargerZone<TypeParam>>(folder / "out", false, scene_that_spreads);
+    EXPECT_NE(said.find("no room"), std::string::npos) << said;
+    const double last = read_table(folder / "out/history.csv")["increment"].back();
+    ASSERT_TRUE(coarse::has_checkpoint(folder / "out"));
+    EXPECT_EQ(coarse::read_checkpoint(folder / "out/checkpoint.h5").analysis.counts.increments, last);
+    const std::string rows = text_of(folder / "out/history.csv");
+    const auto whole_run = [&](const std::string& name, bool resume) {
+        EXPECT_EQ(run_of<coarse::CondensedFactory>(folder / name, resume, scene_that_spreads), "");
+        return text_of(folder / (name + "/history.csv"));
+    };
+    const std::string resumed = whole_run("out", true);
+    EXPECT_TRUE(resumed.starts_with(rows));
+    EXPECT_EQ(last, 17);
+    EXPECT_EQ(resumed, whole_run("whole", false));
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST(TwoScaleModel, KeepsItsEquilibriumWhereTheZoneGrows) {
     tried.target.value = 30.0;
     ASSERT_TRUE(pulled.model.solve(tried, [] { return true; }).converged);
     const auto zone = pulled.body.in_zone().count();
-    pulled.model.extend_zone({outside});
+    pulled.model.extend_zone({outside}, pulled.model.prepare_extension());
     EXPECT_TRUE(pulled.body.in_zone().contains(outside));
     EXPECT_GT(pulled.body.in_zone().count(), zone);
     EXPECT_EQ(pulled.effort.counts.zone_extensions, 1);
