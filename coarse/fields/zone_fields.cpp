@@ -28,6 +28,19 @@ struct CellMean {
     }
 };
 
+/// Sums over the faces in one element, and the largest status there.
+struct FacesOfElement {
+    int samples = 0;
+    double pressure = 0.0, shear = 0.0, status = 0.0;
+
+    void add(const coupling::FaceSample& sample) {
+        ++samples;
+        pressure += sample.pressure;
+        shear += sample.shear;
+        status = std::max<double>(status, sample.status);
+    }
+};
+
 /// What the functions of an element make at a place, seen from a side of the crack, mm.
 Vec2 displacement_at(const ElementBasis& basis, const Vec2& x, int side, const Eigen::VectorXd& u) {
     BasisValues values;
@@ -96,20 +109,13 @@ private:
                 frozen_[tip.mesh.element_ids[at(e)]].emplace_back(&tip, e);
     }
 
-    // What the faces do inside each element that the crack crosses or runs along: mean tractions, largest status.
+    // What the faces do inside each element that the crack crosses or runs along, or both: mean tractions, largest
+    // status.
     void add_faces(const std::vector<coupling::FaceSample>& faces) {
-        for (const CrackPiece& piece : mesh_.pieces) {
-            FacesOfElement all;
-            int count = 0;
-            for (const coupling::FaceSample& sample : faces) {
-                if (sample.crack != piece.crack || sample.s < piece.s.front() || sample.s > piece.s.back()) continue;
-                all.pressure += sample.pressure;
-                all.shear += sample.shear;
-                all.status = std::max<double>(all.status, sample.status);
-                ++count;
-            }
-            if (count > 0) faces_[piece.element] = {all.pressure / count, all.shear / count, all.status};
-        }
+        for (const CrackPiece& piece : mesh_.pieces)
+            for (const coupling::FaceSample& sample : faces)
+                if (sample.crack == piece.crack && sample.s >= piece.s.front() && sample.s <= piece.s.back())
+                    faces_[piece.element].add(sample);
     }
 
     CellMean& mean(const CellKey& key) { return key.second == 0 ? whole_[at(key.first)] : sides_[key]; }
@@ -186,14 +192,11 @@ private:
         side_.push_back(key.second);
         const auto found = faces_.find(key.first);
         const FacesOfElement faces = found != faces_.end() ? found->second : FacesOfElement();
-        pressure_.push_back(faces.pressure);
-        shear_.push_back(faces.shear);
+        const int samples = std::max(faces.samples, 1);
+        pressure_.push_back(faces.pressure / samples);
+        shear_.push_back(faces.shear / samples);
         status_.push_back(faces.status);
     }
-
-    struct FacesOfElement {
-        double pressure = 0.0, shear = 0.0, status = 0.0;
-    };
 
     const Structure& structure_;
     const EnrichedMesh& mesh_;

@@ -79,6 +79,31 @@ TEST(ZoneFields, WhereASideHasNoPointTellTheStressBesideIt) {
     EXPECT_GT(cells, 5);
 }
 
+// The crack leaves an edge into the element that has its faces there: these are of both.
+TEST(ZoneFields, TellTheMeanOfAllFacesOfAnElement) {
+    const Mesh mesh = test::square_mesh(6);
+    Scene scene = test::make_scene(mesh, test::cracked(mesh, {{0.0, 0.5}, {0.25, 0.5}, {0.45, 0.4}}, 1), test::steel);
+    for (const int node : test::boundary_nodes(mesh))
+        for (const int component : {0, 1})
+            scene.prescribed.push_back({scene.enriched.unknown(node, 0, component), 0.0});
+    const auto face = [](double s, double pressure, int status) {
+        coupling::FaceSample sample{};
+        sample.s = s;
+        sample.pressure = pressure;
+        sample.status = status;
+        return sample;
+    };
+    const FieldData fields =
+        make_fields(Structure(scene), Eigen::VectorXd::Zero(scene.enriched.unknowns), nullptr,
+                    {face(0.1, 10.0, 1), face(0.2, 60.0, 2), face(0.23, 90.0, 1), face(0.27, 30.0, 1)});
+    const std::vector<double>&pressure = of_cells(fields, "contact_pressure"),
+          &status = of_cells(fields, "contact_status");
+    EXPECT_EQ(std::ranges::count(pressure, 10.0), 1);
+    EXPECT_GT(std::ranges::count(pressure, 60.0), 1);
+    EXPECT_EQ(std::ranges::count(status, 2.0), std::ranges::count(pressure, 60.0));
+    EXPECT_EQ(std::ranges::count(pressure, 0.0), std::ssize(pressure) - 1 - std::ranges::count(pressure, 60.0));
+}
+
 double area_of(const FieldData& fields, std::size_t cell) {
     const std::int64_t begin = fields.offsets[cell], end = fields.offsets[cell + 1];
     double twice = 0.0;
