@@ -123,6 +123,27 @@ TEST(TwoScaleModel, KeepsItsEquilibriumWhereTheZoneGrows) {
     EXPECT_NEAR(after.work.stored, before.work.stored, 1e-5 * before.work.stored);
 }
 
+// At the mouth of a crack an edge is pulled on either side of it. What that load works on is the zone's from there on.
+TEST(TwoScaleModel, CountsTheWorkOfALoadOnceWhereItsElementJoinsTheZone) {
+    Case input = pulled(true);
+    for (const char* edge : {"left", "right"}) {
+        BoundarySection pulled_aside = input.boundaries.front();
+        pulled_aside.on = edge;
+        pulled_aside.traction = Vec2(edge == std::string("left") ? -1.0 : 1.0, 0.0);
+        input.boundaries.push_back(pulled_aside);
+    }
+    const Scene scene = refined_scene(input);
+    Pulled pulled(scene);
+    const Increment before = pulled.go_to(25.0);
+    const int mouth = scene.enriched.pieces.front().element;
+    ASSERT_FALSE(pulled.body.in_zone().contains(mouth));
+    pulled.model.extend_zone({mouth}, pulled.model.prepare_extension());
+    ASSERT_TRUE(pulled.body.in_zone().contains(mouth));
+    const Increment after = pulled.go_to(25.0);
+    EXPECT_NEAR(after.work.external, before.work.external, 1e-8 * before.work.external);
+    EXPECT_LT(pulled.go_to(30.0).work.share_of_largest(), 1e-3);
+}
+
 // Figure 3 (a): no displacement changes, so the machine reads what it did.
 TEST(TwoScaleModel, LengthensItsCracksWithoutMovingAnything) {
     const Scene scene = refined_scene(pulled(true));
