@@ -1,4 +1,5 @@
-// The three ways a run can fail: the user's input, the numbers, and our own mistakes (assertions).
+// How a run can fail: by the user's input, by the numbers, by a component that is lost, and by our own mistakes
+// (assertions). What the disk refuses is a FileFailure (io/file_failure.hpp).
 #pragma once
 
 #include <stdexcept>
