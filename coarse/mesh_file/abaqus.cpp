@@ -11,7 +11,7 @@
 namespace stria::coarse {
 namespace {
 
-/// Of a set, members: more of them are a mistake in a range, or a set that holds itself again and again.
+/// Of a set, members: more of them are a mistake in a range, or sets that hold each other again and again.
 constexpr std::size_t most_members = 100'000'000;
 
 /// Corners of the elements that are read; 0: of no other.
@@ -121,7 +121,8 @@ private:
             for (const std::string& cell : cells) {
                 if (cell.empty()) continue;
                 if (const auto found = sets.find(upper_case(cell)); found != sets.end()) {
-                    const std::vector<Number> others = found->second.members;  // perhaps of the set itself
+                    const std::vector<Number>& others = found->second.members;
+                    if (&others == &members) continue;  // what it holds already
                     if (members.size() + others.size() > most_members)
                         lines_.complain(fmt::format("set {} has more than {} members", name, most_members));
                     members.insert(members.end(), others.begin(), others.end());

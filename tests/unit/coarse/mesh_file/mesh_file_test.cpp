@@ -136,6 +136,36 @@ TEST(MeshOfAbaqus, ARangeEndsWhereItsStepLeadsBeyondAllNumbers) {
     EXPECT_EQ(read_mesh_file(folder / "a.inp").node_sets.at("corner").size(), 1U);
 }
 
+TEST(MeshOfAbaqus, ASetMayNameItself) {
+    const test::TemporaryFolder folder;
+    test::write_file(folder / "a.inp", "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,2,0\n6,2,1\n*ELEMENT,TYPE=CPS4\n"
+                                       "1,1,2,3,4\n2,2,5,6,3\n*ELSET,ELSET=Half\n1,HALF\nhalf,half,1\n"
+                                       "*NSET,NSET=ends\n4,ends,6\nEnds,ends\n");
+    const Mesh mesh = read_mesh_file(folder / "a.inp");
+    EXPECT_EQ(mesh.groups.at("Half"), std::vector<int>{0});
+    EXPECT_EQ(mesh.node_sets.at("ends").size(), 2U);
+}
+
+// The sign tells which way a curve or a surface runs, and no part of the name does.
+TEST(MeshOfGmsh, GroupsKeepTheirNamesWhereTheyRunBackwards) {
+    const test::TemporaryFolder folder;
+    const std::string names = "$PhysicalNames\n2\n1 7 \"foot\"\n2 8 \"plate\"\n$EndPhysicalNames\n";
+    test::write_file(folder / "2.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + names +
+                                           "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n"
+                                           "3\n1 1 2 -7 -1 2 1\n2 1 2 -9 -3 3 4\n3 3 2 -8 1 1 2 3 4\n$EndElements\n");
+    test::write_file(folder / "4.msh",
+                     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names +
+                         "$Entities\n0 2 1 0\n1 0 0 0 1 0 0 1 -7 0\n3 0 1 0 1 1 0 1 -9 0\n1 0 0 0 1 1 0 1 -8 0\n"
+                         "$EndEntities\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
+                         "$Elements\n3 3 1 3\n1 1 1 1\n1 2 1\n1 3 1 1\n2 3 4\n2 1 3 1\n3 1 2 3 4\n$EndElements\n");
+    for (const char* file : {"2.msh", "4.msh"}) {
+        const Mesh mesh = read_mesh_file(folder / file);
+        EXPECT_EQ(mesh.groups.at("plate").size(), 1U) << file;
+        EXPECT_EQ(mesh.boundary.at("foot").size(), 1U) << file;
+        EXPECT_EQ(mesh.boundary.at("9").size(), 1U) << file;
+    }
+}
+
 TEST(MeshOfGmsh, TakesAnElementOfTwoGroupsOnce) {
     const test::TemporaryFolder folder;
     test::write_file(folder / "part.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
