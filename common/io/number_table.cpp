@@ -51,12 +51,16 @@ NumberTable read_table(const std::filesystem::path& path, const std::function<bo
     if (!std::getline(file, line)) return table;
     if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // the byte order mark of UTF-8
     std::vector<std::vector<double>*> columns;
-    for (const std::string_view name : cells_of(line)) columns.push_back(&table.columns[std::string(name)]);
-    while (std::getline(file, line)) {
+    for (const std::string_view name : cells_of(line)) {
+        if (table.repeated.empty() && table.columns.contains(std::string(name))) table.repeated = name;
+        columns.push_back(&table.columns[std::string(name)]);
+    }
+    for (std::size_t number = 2; std::getline(file, line); ++number) {
         const std::string_view text = line;
         if (trimmed(text).empty() || !wanted(number_in(without_quotes(trimmed(text.substr(0, text.find(',')))))))
             continue;
         const std::vector<std::string_view> cells = cells_of(line);
+        table.lines.push_back(number);
         table.cut_off = cells.size() != columns.size();
         if (table.cut_off) break;
         for (std::size_t k = 0; k < cells.size(); ++k) columns[k]->push_back(number_in(cells[k]));

@@ -14,6 +14,8 @@ struct NumberTable {
     std::map<std::string, std::vector<double>> columns;
     std::size_t rows = 0;
     bool cut_off = false;  // a row has not as many cells as there are names: it and what follows is left out
+    std::vector<std::size_t> lines = {};  // of the file, from 1: those of the rows, and of the one that is cut off
+    std::string repeated = {};            // the first name that is given twice, so that its column means nothing
 
     /// Throws std::out_of_range where there is none of that name.
     [[nodiscard]] const std::vector<double>& operator[](const std::string& column) const { return columns.at(column); }

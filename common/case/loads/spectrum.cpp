@@ -10,8 +10,9 @@
 namespace stria {
 namespace {
 
-[[noreturn]] void reject(const std::filesystem::path& path, std::size_t row, const std::string& demand) {
-    throw CaseError(fmt::format("{}:{}: load.spectrum: {}", path.string(), row + 2, demand));
+[[noreturn]] void reject(const std::filesystem::path& path, const NumberTable& table, std::size_t row,
+                         const std::string& demand) {
+    throw CaseError(fmt::format("{}:{}: load.spectrum: {}", path.string(), table.lines[row], demand));
 }
 
 /// The rows at which a sequence turns, its ends included; of equal values in a row the first.
@@ -57,7 +58,7 @@ void require_straight(const std::filesystem::path& path, const NumberTable& tabl
         for (std::size_t row = from; row <= to; ++row) {
             const double way = (main[row] - main[from]) / (main[to] - main[from]);
             if (std::abs(own[row] - std::lerp(own[from], own[to], way)) <= 1e-9 * largest) continue;
-            reject(path, row,
+            reject(path, table, row,
                    fmt::format("column \"{}\" leaves the straight line between two turns of turning_point", name));
         }
     }
@@ -67,7 +68,7 @@ Spectrum from_turning_points(const std::filesystem::path& path, const NumberTabl
                              const std::vector<std::string>& cases, bool repeats) {
     for (const auto& [name, values] : table.columns)
         for (std::size_t row = 0; row < values.size(); ++row)
-            if (!std::isfinite(values[row])) reject(path, row, "must be a number");
+            if (!std::isfinite(values[row])) reject(path, table, row, "must be a number");
     const std::vector<double>& main = table["turning_point"];
     std::vector<std::size_t> turning = turns(main);
     for (const std::string& name : cases) require_straight(path, table, name, turning);
@@ -90,10 +91,10 @@ std::vector<LoadBlock> from_cycles(const std::filesystem::path& path, const Numb
     for (std::size_t row = 0; row < table.rows; ++row) {
         const double max = table["max"][row], min = table["min"][row];
         const double cycles = counted ? table["cycles"][row] : 1.0;
-        if (!std::isfinite(max) || !std::isfinite(min)) reject(path, row, "max and min must be numbers");
-        if (min >= max) reject(path, row, "must keep min < max");
+        if (!std::isfinite(max) || !std::isfinite(min)) reject(path, table, row, "max and min must be numbers");
+        if (min >= max) reject(path, table, row, "must keep min < max");
         if (!(cycles >= 1.0 && cycles <= 1e9 && cycles == std::floor(cycles)))
-            reject(path, row,
+            reject(path, table, row,
                    "cycles must be a whole number >= 1; half cycles of a count go into a list of turning points");
         blocks.push_back({.cycles = static_cast<int>(cycles), .max = max, .min = min});
     }
@@ -109,6 +110,9 @@ std::string how_to_write(const std::string& name) {
 
 /// Nothing that a table says is passed over.
 void check_columns(const std::filesystem::path& path, const NumberTable& table, const std::vector<std::string>& cases) {
+    if (!table.repeated.empty())
+        throw CaseError(
+            fmt::format("{}:1: load.spectrum: column \"{}\" is given twice", path.string(), table.repeated));
     const bool turning = table.columns.contains("turning_point");
     const auto is_case = [&](const std::string& name) { return std::ranges::find(cases, name) != cases.end(); };
     for (const auto& [name, values] : table.columns) {
@@ -134,7 +138,7 @@ Spectrum read_spectrum(const std::filesystem::path& path, const std::vector<std:
     const NumberTable table = read_table(path);
     if (table.columns.empty()) throw CaseError(fmt::format("{}: load.spectrum: cannot be read", path.string()));
     check_columns(path, table, cases);
-    if (table.cut_off) reject(path, table.rows, "has not as many cells as the line of names");
+    if (table.cut_off) reject(path, table, table.rows, "has not as many cells as the line of names");
     Spectrum spectrum;
     if (table.columns.contains("turning_point"))
         spectrum = from_turning_points(path, table, cases, repeats);

@@ -143,9 +143,12 @@ Section<InitialStressSection> initial_stress_section() {
 StressGrid read_stress_grid(const std::filesystem::path& path) {
     const NumberTable table = read_table(path);
     const auto complain = [&](std::size_t row, const std::string& what) {
-        throw CaseError(fmt::format("{}:{}: initial_stress.file: {}", path.string(), row + 2, what));
+        throw CaseError(fmt::format("{}:{}: initial_stress.file: {}", path.string(), table.lines[row], what));
     };
     if (table.columns.empty()) throw CaseError(fmt::format("{}: initial_stress.file: cannot be read", path.string()));
+    if (!table.repeated.empty())
+        throw CaseError(
+            fmt::format("{}:1: initial_stress.file: column {} is given twice", path.string(), table.repeated));
     for (const char* name : {"x", "y", "sxx", "syy", "sxy"})
         if (!table.columns.contains(name))
             throw CaseError(fmt::format("{}:1: initial_stress.file: has no column {}", path.string(), name));
@@ -161,8 +164,8 @@ StressGrid read_stress_grid(const std::filesystem::path& path) {
         rows.insert(y);
     }
     if (nodes.size() != columns.size() * rows.size() || columns.size() < 2 || rows.size() < 2)
-        complain(table.rows, fmt::format("{} nodes are no grid of {} columns and {} rows", nodes.size(), columns.size(),
-                                         rows.size()));
+        throw CaseError(fmt::format("{}: initial_stress.file: {} nodes are no grid of {} columns and {} rows",
+                                    path.string(), nodes.size(), columns.size(), rows.size()));
     StressGrid grid;
     grid.x.assign(columns.begin(), columns.end());
     grid.y.assign(rows.begin(), rows.end());

@@ -66,6 +66,20 @@ TEST_F(Spectrum, SaysHowTheFirstLineIsWritten) {
               "alone; commas stand between cells, and points in numbers");
 }
 
+// Lines are those of the file, with the empty ones that are passed over.
+TEST_F(Spectrum, SaysTheLineThatAnEditorShows) {
+    EXPECT_EQ(complaint("max,min\n10,-2\n\n\n1,2\n"), "s.csv:5: load.spectrum: must keep min < max");
+    EXPECT_EQ(complaint("max,min\n\n10,-2\n\n1\n"),
+              "s.csv:5: load.spectrum: has not as many cells as the line of names");
+    EXPECT_EQ(complaint("turning_point\r\n1\r\n \r\n2\r\nnan\r\n"), "s.csv:5: load.spectrum: must be a number");
+}
+
+TEST_F(Spectrum, HasEachColumnOnce) {
+    EXPECT_EQ(complaint("max,min,max\n10,-2,30\n20,0,40\n"), "s.csv:1: load.spectrum: column \"max\" is given twice");
+    EXPECT_EQ(complaint("turning_point, \"turning_point\"\n1,2\n0,3\n"),
+              "s.csv:1: load.spectrum: column \"turning_point\" is given twice");
+}
+
 TEST_F(Spectrum, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(complaint("max,min\n10,-2\n1,2\n"), "s.csv:3: load.spectrum: must keep min < max");
     EXPECT_EQ(complaint("max,min\n10,x\n"), "s.csv:2: load.spectrum: max and min must be numbers");
