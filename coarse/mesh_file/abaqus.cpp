@@ -6,13 +6,14 @@
 #include <utility>
 
 #include "coarse/mesh_file/abaqus_lines.hpp"
+#include "common/error.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
 
 /// Of a set, members: more of them are a mistake in a range, or sets that hold each other again and again.
-constexpr std::size_t most_members = 100'000'000;
+constexpr std::size_t most_members = 10'000'000;
 
 /// Corners of the elements that are read; 0: of no other.
 int corners_of_type(const std::string& type) {
@@ -115,7 +116,7 @@ private:
         std::vector<std::string> cells;
         while (lines_.next_data(cells)) {
             if (keyword.parameters.contains("GENERATE")) {
-                generate(cells, members);
+                generate(cells, name, members);
                 continue;
             }
             for (const std::string& cell : cells) {
@@ -123,8 +124,7 @@ private:
                 if (const auto found = sets.find(upper_case(cell)); found != sets.end()) {
                     const std::vector<Number>& others = found->second.members;
                     if (&others == &members) continue;  // what it holds already
-                    if (members.size() + others.size() > most_members)
-                        lines_.complain(fmt::format("set {} has more than {} members", name, most_members));
+                    require_room(name, members.size() + others.size());
                     members.insert(members.end(), others.begin(), others.end());
                 } else {
                     members.push_back(lines_.whole(cell));
@@ -133,19 +133,26 @@ private:
         }
     }
 
-    void generate(const std::vector<std::string>& cells, std::vector<Number>& members) {
+    void require_room(const std::string& set, std::uint64_t members) const {
+        if (members > most_members) lines_.complain(fmt::format("set {} has more than {} members", set, most_members));
+    }
+
+    void generate(const std::vector<std::string>& cells, const std::string& set, std::vector<Number>& members) const {
         if (cells.size() < 2) lines_.complain("GENERATE needs the first and the last number");
         const Number first = lines_.whole(cells[0]), last = lines_.whole(cells[1]);
         const Number step = cells.size() > 2 && !cells[2].empty() ? lines_.whole(cells[2]) : 1;
-        const auto way = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);  // no sum overflows
-        if (step < 1 || last < first || way > most_members) lines_.complain("GENERATE needs an ascending range");
-        for (std::uint64_t k = 0; k <= way; k += static_cast<std::uint64_t>(step))
-            members.push_back(first + static_cast<Number>(k));
+        if (step < 1 || last < first) lines_.complain("GENERATE needs an ascending range");
+        // Without signs no difference overflows.
+        const auto from = static_cast<std::uint64_t>(first), by = static_cast<std::uint64_t>(step);
+        const std::uint64_t steps = (static_cast<std::uint64_t>(last) - from) / by;
+        require_room(set, members.size() + std::min<std::uint64_t>(steps, most_members) + 1);
+        for (std::uint64_t k = 0; k <= steps; ++k) members.push_back(static_cast<Number>(from + k * by));
     }
 
     /// Faces S1 ... S4 of elements or of sets of them.
     void read_surface(const Keyword& keyword) {
         const std::string type = upper_case(keyword.value("TYPE")), name = keyword.value("NAME");
+        if (name.empty()) lines_.complain("*SURFACE has no name");
         std::vector<std::string> cells;
         while (lines_.next_data(cells)) {
             if (!type.empty() && type != "ELEMENT") continue;
@@ -210,6 +217,10 @@ private:
 
 }  // namespace
 
-Part read_abaqus(std::string text, const std::string& name) { return AbaqusReader(std::move(text), name).read(); }
+Part read_abaqus(std::string text, const std::string& name) {
+    if (text.find('\0') != std::string::npos)  // UTF-16, of which no keyword would be known
+        throw CaseError(name + ": is no text of one byte a letter: save it as ASCII or UTF-8");
+    return AbaqusReader(std::move(text), name).read();
+}
 
 }  // namespace stria::coarse

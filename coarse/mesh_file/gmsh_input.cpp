@@ -63,8 +63,8 @@ double GmshInput::text_real() { return parsed<double>(); }
 
 std::string GmshInput::quoted() {
     const std::size_t from = text_.find_first_not_of(blank, place_);
-    const std::size_t to = from == std::string::npos ? from : text_.find('"', from + 1);
-    if (to == std::string::npos || text_[from] != '"') complain("expects a name in quotes");
+    const std::size_t to = from == std::string::npos ? from : text_.find_first_of("\"\n", from + 1);
+    if (to == std::string::npos || text_[from] != '"' || text_[to] != '"') complain("expects a name in quotes");
     place_ = to + 1;
     return text_.substr(from + 1, to - from - 1);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "coarse/model/loads/boundary_conditions.hpp"
 #include "common/error.hpp"
@@ -131,9 +132,13 @@ TEST(MeshOfAbaqus, KnowsSetsAndSurfaces) {
 
 TEST(MeshOfAbaqus, ARangeEndsWhereItsStepLeadsBeyondAllNumbers) {
     const test::TemporaryFolder folder;
-    test::write_file(folder / "a.inp", "*NODE\n1,0,0\n2,1,0\n3,1,1\n-1,0,1\n*ELEMENT,TYPE=CPS4\n1,1,2,3,-1\n"
-                                       "*NSET,NSET=corner,GENERATE\n1,3,9223372036854775807\n");
-    EXPECT_EQ(read_mesh_file(folder / "a.inp").node_sets.at("corner").size(), 1U);
+    test::write_file(folder / "a.inp",
+                     "*NODE\n1,0,0\n2,1,0\n3,1,1\n-1,0,1\n*ELEMENT,TYPE=CPS4\n1,1,2,3,-1\n"
+                     "*NSET,NSET=corner,GENERATE\n1,3,9223372036854775807\n"
+                     "*NSET,NSET=three,GENERATE\n-9223372036854775808,9223372036854775807,9223372036854775807\n");
+    const Mesh mesh = read_mesh_file(folder / "a.inp");
+    EXPECT_EQ(mesh.node_sets.at("corner").size(), 1U);
+    EXPECT_EQ(mesh.node_sets.at("three"), std::vector<int>{3});  // -1 of the three
 }
 
 TEST(MeshOfAbaqus, ASetMayNameItself) {
@@ -187,7 +192,9 @@ std::string complaint_of(const std::string& path) {
 }
 
 struct Defect {
-    const char *file, *text, *sentence;
+    const char* file;
+    std::string_view text;
+    const char* sentence;
 };
 
 class DefectOfMesh : public testing::TestWithParam<Defect> {};
@@ -195,7 +202,7 @@ class DefectOfMesh : public testing::TestWithParam<Defect> {};
 TEST_P(DefectOfMesh, IsNamed) {
     const test::TemporaryFolder folder;
     const auto& [file, text, sentence] = GetParam();
-    test::write_file(folder / file, text);
+    test::write_file(folder / file, std::string(text));
     EXPECT_EQ(complaint_of(folder / file), std::string("mesh.file: ") + file + sentence);
 }
 
@@ -257,8 +264,12 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"a.inp", "*NODE\n1,zero,0\n", ":2: expects a number, and has \"zero\""},
         Defect{"a.inp", "*NODE\n1,0\n", ":2: a node has a number, x and y"},
         Defect{"a.inp", SQUARES "*NSET,NSET=a\n1,b\n", ":9: expects a whole number, and has \"b\""},
-        Defect{"a.inp", SQUARES "*NSET,NSET=a,GENERATE\n-9000000000000000000,9000000000000000000\n",
-               ":9: GENERATE needs an ascending range"},
+        Defect{"a.inp", SQUARES "*NSET,NSET=a,GENERATE\n9,3\n", ":9: GENERATE needs an ascending range"},
+        Defect{"a.inp", SQUARES "*NSET,NSET=a,GENERATE\n-9223372036854775808,9223372036854775807\n",
+               ":9: set a has more than 10000000 members"},
+        Defect{"a.inp", SQUARES "*NSET,NSET=a\n1\n*NSET,NSET=a,GENERATE\n1,10000000\n",
+               ":11: set a has more than 10000000 members"},
+        Defect{"a.inp", SQUARES QUADS "*SURFACE,TYPE=ELEMENT\n1,S1\n", ":11: *SURFACE has no name"},
         Defect{"a.inp", SQUARES "*ELGEN\n1,2\n",
                ":8: *ELGEN is not read; write the mesh with all its nodes and elements"},
         Defect{"a.inp", "*PART,NAME=a\n*END PART\n*PART,NAME=b\n", ":3: has more than one *PART; one is read"},
@@ -266,6 +277,8 @@ INSTANTIATE_TEST_SUITE_P(
                ":2: *INSTANCE moves its part; write the mesh where it lies"},
         Defect{"a.inp", SQUARES QUADS "*SURFACE,NAME=s\n2,S5\n", ":12: surface s: element 2 has no side \"S5\""},
         Defect{"a.inp", SQUARES QUADS "*SURFACE,NAME=s\n3,S1\n", ":12: surface s: there is no element 3"},
+        Defect{"a.inp", std::string_view("*\0N\0O\0D\0E\0", 10),
+               ": is no text of one byte a letter: save it as ASCII or UTF-8"},
         Defect{"a.stl", "solid", ": a mesh is a .msh of Gmsh, or an .inp of Abaqus or CalculiX"}));
 
 #define HEAD "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
@@ -283,6 +296,8 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"a.msh", HEAD "$Nodes\n1\n1 0 0 0\n2 1 0 0\n$EndNodes\n",
                ":7: expects $EndNodes: the section has more than it says"},
         Defect{"a.msh", HEAD "$Nodes\nx\n", ":5: expects a number, and has \"x\""},
+        Defect{"a.msh", HEAD "$PhysicalNames\n2\n1 1 \"foot\n1 2 \"top\"\n$EndPhysicalNames\n",
+               ":6: expects a name in quotes"},
         Defect{"a.msh", HEAD "$Comment\n", ":5: $Comment has no $EndComment"},
         Defect{"a.msh", HEAD NODES "$Elements\n1\n6 9 2 0 1 1 2 3 1 2 3\n",
                ":12: element 6 is of second or higher order (type 9); Stria reads first order: Mesh.ElementOrder = 1, "
