@@ -4,6 +4,7 @@
 #include "common/io/file_failure.hpp"
 #include "coupling/transport/mpi_transport.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
@@ -23,10 +24,21 @@ bool mpi_is_up() {
 }
 
 int leave(const std::string& program, const Ending& ending) {
-    fmt::print(stderr, "{}: {}\n", program, ending.text);
+    fmt::print(stderr, "{}: {}\n", program, in_one_line(ending.text));
     std::fflush(stderr);
     if (mpi_is_up()) MPI_Abort(MPI_COMM_WORLD, ending.code);
     return ending.code;
+}
+
+/// Bytes of the letter that a text begins with; 0: it is none, or none to be seen.
+std::size_t letter_at_start(std::string_view text) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    if (byte(0) < 0x80) return byte(0) >= 0x20 && byte(0) != 0x7F ? 1 : 0;
+    const std::size_t size = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+    if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < size) return 0;
+    for (std::size_t k = 1; k < size; ++k)
+        if ((byte(k) & 0xC0) != 0x80) return 0;
+    return byte(0) == 0xC2 && byte(1) < 0xA0 ? 0 : size;  // the other control characters
 }
 
 Ending defect(const std::string& what) {
@@ -34,6 +46,16 @@ Ending defect(const std::string& what) {
 }
 
 }  // namespace
+
+std::string in_one_line(std::string_view text) {
+    std::string line;
+    while (!text.empty()) {
+        const std::size_t letter = letter_at_start(text);
+        line += letter > 0 ? text.substr(0, letter) : "?";
+        text.remove_prefix(std::max<std::size_t>(letter, 1));
+    }
+    return line;
+}
 
 Ending ending_of_exception() {
     try {

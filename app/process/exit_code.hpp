@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace stria {
 
@@ -16,6 +17,10 @@ enum ExitCode {
     Defect = 70,
     Interrupted = 130
 };
+
+/// As one line that a terminal shows as it is: what a damaged file has put into a message, control characters and bytes
+/// that are no UTF-8, becomes "?".
+std::string in_one_line(std::string_view text);
 
 /// How a program ends that has thrown.
 struct Ending {
