@@ -81,7 +81,8 @@ private:
         while (lines_.next_data(cells)) {
             const Number number = lines_.whole(cells[0]);
             if (corners == 0) refuse(type, number);
-            if (std::ssize(cells) < corners + 1)
+            while (cells.back().empty()) cells.pop_back();  // number is the first
+            if (std::ssize(cells) != corners + 1)
                 lines_.complain(fmt::format("element {} of type {} has {} nodes on its line", number, type, corners));
             Element element{{}, part_.faces.size()};
             for (int k = 1; k <= corners; ++k) element.nodes.push_back(lines_.whole(cells[at(k)]));

@@ -28,6 +28,7 @@ std::optional<std::string> GmshInput::next_section() {
     if (place_ == std::string::npos) return std::nullopt;
     if (text_[place_] != '$') complain("expects a section, which begins with $");
     std::string section(word().substr(1));
+    if (section.starts_with("End")) complain(fmt::format("${} ends a section that has not begun", section));
     skip_line();  // the bytes of a binary section begin with the next
     return section;
 }

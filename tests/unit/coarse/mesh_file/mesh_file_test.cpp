@@ -260,6 +260,8 @@ INSTANTIATE_TEST_SUITE_P(
                ":9: element 5 is of type CAX4; CPS3, CPS4, CPE3, CPE4 with R, I or H, and T2D2, T3D2 or B21 for edges "
                "are read"},
         Defect{"a.inp", SQUARES "*ELEMENT,TYPE=CPS4\n5,1,2,5\n", ":9: element 5 of type CPS4 has 4 nodes on its line"},
+        Defect{"a.inp", SQUARES "*ELEMENT,TYPE=CPS4\n5,1,2,5,6,,\n6,2,3,4,5,6\n",
+               ":10: element 6 of type CPS4 has 4 nodes on its line"},
         Defect{"a.inp", SQUARES QUADS "*ELEMENT,TYPE=CPS3\n1,1,2,5\n", ":12: element 1 is given twice"},
         Defect{"a.inp", "*NODE\n1,zero,0\n", ":2: expects a number, and has \"zero\""},
         Defect{"a.inp", "*NODE\n1,0\n", ":2: a node has a number, x and y"},
@@ -295,6 +297,7 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"a.msh", HEAD "$Nodes\n3\n1 0 0 0\n", ":6: ends too early"},
         Defect{"a.msh", HEAD "$Nodes\n1\n1 0 0 0\n2 1 0 0\n$EndNodes\n",
                ":7: expects $EndNodes: the section has more than it says"},
+        Defect{"a.msh", HEAD "$EndNodes\n", ":4: $EndNodes ends a section that has not begun"},
         Defect{"a.msh", HEAD "$Nodes\nx\n", ":5: expects a number, and has \"x\""},
         Defect{"a.msh", HEAD "$PhysicalNames\n2\n1 1 \"foot\n1 2 \"top\"\n$EndPhysicalNames\n",
                ":6: expects a name in quotes"},
