@@ -15,27 +15,34 @@ namespace {
 constexpr double same_place = 1e-7;  // of the body: what lies nearer is one point, kept apart by the mesher
 constexpr double on_edge = 1e-5;     // of the edge's length
 
+/// How far a place is along a direction in which no two nodes of a regular mesh are as far: its slope is the golden
+/// ratio. Two places are no nearer to each other than along it.
+double along(const Vec2& x) {
+    constexpr double cosine = 0.85065080835203993, sine = 0.52573111211913361;
+    return cosine * x.x() + sine * x.y();
+}
+
 class Judge {
 public:
     Judge(const Faces& faces, const std::string& name) : faces_(faces), name_(name) {
         Vec2 low = faces.nodes.front(), high = low;
         for (const Vec2& x : faces.nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
         extent_ = (high - low).maxCoeff();
-        by_x_.resize(faces.nodes.size());
-        std::iota(by_x_.begin(), by_x_.end(), 0);
-        std::ranges::sort(by_x_, {}, [&](int node) { return faces.nodes[at(node)].x(); });
+        ordered_.resize(faces.nodes.size());
+        std::iota(ordered_.begin(), ordered_.end(), 0);
+        std::ranges::sort(ordered_, {}, [&](int node) { return along(faces.nodes[at(node)]); });
     }
 
     void require_nodes_apart() const {
-        for (std::size_t i = 0; i < by_x_.size(); ++i) {
-            const Vec2& x = x_of(by_x_[i]);
-            for (std::size_t j = i + 1; j < by_x_.size(); ++j) {
-                const Vec2& other = x_of(by_x_[j]);
-                if (other.x() - x.x() > same_place * extent_) break;
+        for (std::size_t i = 0; i < ordered_.size(); ++i) {
+            const Vec2& x = x_of(ordered_[i]);
+            for (std::size_t j = i + 1; j < ordered_.size(); ++j) {
+                const Vec2& other = x_of(ordered_[j]);
+                if (along(other) - along(x) > same_place * extent_) break;
                 if ((other - x).norm() > same_place * extent_) continue;
                 complain(fmt::format("nodes {} and {} lie both at {}; merge them (Gmsh: Coherence Mesh). Cracks are "
                                      "given in the case, not by the mesh",
-                                     number(by_x_[i]), number(by_x_[j]), text_of(x)));
+                                     number(ordered_[i]), number(ordered_[j]), text_of(x)));
             }
         }
     }
@@ -87,9 +94,10 @@ public:
             if (sides.size() != 1) continue;
             const Vec2 &a = x_of(edge.first), &b = x_of(edge.second);
             const double near = on_edge * (b - a).norm();
-            const auto from = std::ranges::lower_bound(by_x_, std::min(a.x(), b.x()) - near, {},
-                                                       [&](int node) { return x_of(node).x(); });
-            for (auto node = from; node != by_x_.end() && x_of(*node).x() <= std::max(a.x(), b.x()) + near; ++node) {
+            const auto [first, last] = std::minmax({along(a), along(b)});
+            const auto place = [&](int node) { return along(x_of(node)); };
+            const auto from = std::ranges::lower_bound(ordered_, first - near, {}, place);
+            for (auto node = from; node != ordered_.end() && place(*node) <= last + near; ++node) {
                 if (*node == edge.first || *node == edge.second) continue;
                 if (distance_to_segment(x_of(*node), a, b) > near) continue;
                 complain(fmt::format("node {} at {} lies on the edge of element {} between the nodes {} and {}: "
@@ -111,8 +119,8 @@ private:
 
     const Faces& faces_;
     const std::string& name_;
-    double extent_;          // mm
-    std::vector<int> by_x_;  // nodes, ascending
+    double extent_;             // mm
+    std::vector<int> ordered_;  // nodes, ascending along()
 };
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <string_view>
 
 #include "coarse/model/loads/boundary_conditions.hpp"
+#include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
 #include "common/fem/shape_q4.hpp"
@@ -180,6 +182,22 @@ TEST(MeshOfGmsh, TakesAnElementOfTwoGroupsOnce) {
     EXPECT_EQ(mesh.elements.size(), 1U);
     EXPECT_EQ(mesh.groups.at("7"), mesh.groups.at("8"));
     EXPECT_EQ(mesh.boundary.at(unnamed_edges).size(), 4U);
+}
+
+// In columns of a regular mesh many nodes have the same x.
+TEST(MeshFile, TakesNoLongerToReadATallBodyThanAWideOne) {
+    const test::TemporaryFolder folder;
+    const auto seconds_for = [&](int columns, int rows) {
+        std::vector<double> xs, ys;
+        for (int i = 0; i <= columns; ++i) xs.push_back(i);
+        for (int i = 0; i <= rows; ++i) ys.push_back(i);
+        test::write_file(folder / "strip.msh", test::msh_text(grid_mesh(xs, ys)));
+        const std::clock_t start = std::clock();
+        EXPECT_EQ(read_mesh_file(folder / "strip.msh").elements.size(), at(columns * rows));
+        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    };
+    const double wide = seconds_for(16000, 3);
+    EXPECT_LT(seconds_for(3, 16000), 4.0 * wide);
 }
 
 std::string complaint_of(const std::string& path) {
