@@ -39,6 +39,7 @@ public:
     [[nodiscard]] const UnitResponse& nominal_at_start() const { return nominal_at_start_; }
     /// Of the present ones; and the growth of the first tip so far, mm.
     [[nodiscard]] UnitResponse nominal_response() const { return nominal_.response(*scene_); }
+    [[nodiscard]] const UnitDisplacement& unit_displacement() const { return nominal_.unit_displacement(); }
     [[nodiscard]] double grown() const { return nominal_.grown(); }
     /// A unit of the load history as a target (load_scale.hpp).
     [[nodiscard]] double load_scale() const;

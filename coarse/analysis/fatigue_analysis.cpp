@@ -37,7 +37,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
 }
 
 void FatigueAnalysis::look_ahead() {
-    if (const std::optional<LegEnds> leg = controller_.leg_that_begins())
+    if (const std::optional<LegEnds> leg = controller_.leg_that_begins(body_.unit_displacement()))
         controller_.expect(closure_.outlook(*leg, body_.nominal()));
 }
 

@@ -18,7 +18,7 @@ std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const Scene* b
                                                   : solve_whole(scene, far_known, zone, shared);
     tips_ = std::move(found.tips);
     rings_ = std::move(found.rings);
-    unit_displacement_ = unit_displacement(found.fields);
+    unit_displacement_ = stria::coarse::unit_displacement(found.fields);
     find_largest_K(scene);
     if (first_length_ == 0.0 && !tips_.empty()) first_length_ = tips_.front().a;
     displacement_ = far_known ? Eigen::VectorXd() : found.fields.unit;

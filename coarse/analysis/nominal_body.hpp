@@ -38,6 +38,7 @@ public:
     [[nodiscard]] UnitResponse response(const Scene& scene) const {
         return unit_response(scene, tips_, unit_displacement_);
     }
+    [[nodiscard]] const UnitDisplacement& unit_displacement() const { return unit_displacement_; }
     /// The growth of the first tip so far, mm.
     [[nodiscard]] double grown() const { return first_length_ > 0.0 ? tips_.front().a - first_length_ : 0.0; }
 

@@ -60,7 +60,7 @@ LegOutlook ClosureMeasurement::outlook(const LegEnds& leg, const std::vector<Tip
     const std::size_t signals = meter_.signals().all();
     for (std::size_t t = 0; t < nominal.size(); ++t) {
         const double rise = rise_of_K(nominal[t], changes);
-        const bool with_load = rise * changes.main >= 0.0;
+        const bool with_load = rise * leg.course >= 0.0;
         (with_load ? outlook.senses.with_load : outlook.senses.against_load) = true;
         for (const LoadFactors& end : {leg.from, leg.to}) outlook.presses = outlook.presses || presses(nominal[t], end);
         if (rise < 0.0) outlook.met.push_back(expected_load(memory_.closed, t * signals));

@@ -15,7 +15,8 @@ NominalFields fields_of(const Structure& body, Eigen::VectorXd unit) {
     NominalFields fields{.unit = std::move(unit),
                          .initial = {},
                          .of_cases = {},
-                         .mean_displacement = body.loads().mean_displacement().per_load_factor};
+                         .mean_displacement = body.loads().mean_displacement().per_load_factor,
+                         .mean_of_cases = body.loads().mean_displacement().per_case};
     if (body.scene().enriched.tips.empty()) return fields;
     for (Eigen::Index k = 0; k < std::ssize(body.loads().cases()); ++k)
         fields.of_cases.push_back(near_displacement(body, LoadFactors::of_one_case(k), 0.0));
@@ -99,7 +100,9 @@ UnitResponse unit_response(const Scene& scene, const std::vector<TipResult>& tip
 }
 
 UnitDisplacement unit_displacement(const NominalFields& fields) {
-    return {fields.mean_displacement, fields.unit.lpNorm<Eigen::Infinity>()};
+    return {.mean = fields.mean_displacement,
+            .largest = fields.unit.lpNorm<Eigen::Infinity>(),
+            .of_cases = {fields.mean_of_cases.begin(), fields.mean_of_cases.end()}};
 }
 
 UnitResponse unit_response(const NominalSolution& nominal) {

@@ -17,6 +17,7 @@ struct NominalFields {
     Eigen::VectorXd unit, initial;          // at the load factor 1; of the initial stress alone, empty: there is none
     std::vector<Eigen::VectorXd> of_cases;  // of each load case alone
     double mean_displacement = 0.0;         // of the loaded boundary, mm
+    Eigen::VectorXd mean_of_cases;          // likewise, of each load case alone
 };
 
 struct NominalSolution {

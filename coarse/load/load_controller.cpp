@@ -47,7 +47,7 @@ void LoadController::resume(const LoadPosition& position) {
     position_ = position;
     schedule_.resume(position.schedule);
     // A history that had ended knew of no next leg.
-    if (leg_that_begins() && position_.leg > 0 && !cases_.ends_leg_at(position_.leg - 1, position_.cases))
+    if (begins_leg() && position_.leg > 0 && !cases_.ends_leg_at(position_.leg - 1, position_.cases))
         throw CaseError("cannot go on from this checkpoint: the history ended there, and in the longer one a load case "
                         "rises to another factor in that cycle");
 }
@@ -230,11 +230,18 @@ void LoadController::committed_besides(int cycle, std::vector<double> openings) 
     remember({cycle, here, here, position_.cases, position_.cases});
 }
 
-std::optional<LegEnds> LoadController::leg_that_begins() const {
-    if (position_.leg >= legs_.size() || position_.increments > 0 || position_.way > 0.0) return std::nullopt;
-    if (control_ == Control::Displacement || cases_.count() == 0)
-        return LegEnds{.from = {position_.leg_start}, .to = {end_of_leg()}};
-    return LegEnds{.from = {position_.leg_start, cases_at_stop(0)}, .to = {end_of_leg(), cases_at_stop(increments())}};
+std::optional<LegEnds> LoadController::leg_that_begins(const UnitDisplacement& unit) const {
+    if (!begins_leg()) return std::nullopt;
+    LegEnds leg{.from = {position_.leg_start}, .to = {end_of_leg()}, .course = end_of_leg() - position_.leg_start};
+    if (cases_.count() > 0) {
+        leg.from.cases = cases_at_stop(0);
+        leg.to.cases = cases_at_stop(increments());
+    }
+    const bool leads = legs_[position_.leg].leads, led = position_.leg > 0 && legs_[position_.leg - 1].leads;
+    if (control_ != Control::Displacement || leads) return leg;
+    if (!led) leg.from.main = unit.load_factor_at(leg.from.main, leg.from.cases);  // there it is none
+    leg.to.main = unit.load_factor_at(leg.to.main, leg.to.cases);
+    return leg;
 }
 
 void LoadController::expect(const LegOutlook& outlook) {

@@ -8,6 +8,7 @@
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/increment_schedule.hpp"
 #include "coarse/load/load_factors.hpp"
+#include "coarse/load/load_scale.hpp"
 #include "coarse/load/target.hpp"
 #include "common/predictor.hpp"
 
@@ -52,9 +53,11 @@ struct LoadPosition {
     IncrementSchedule::State schedule = {};
 };
 
-/// Loads at the two ends of a half cycle. Where a displacement is controlled it stands for the main factor, alone.
+/// Loads at the two ends of a half cycle. Where a displacement is controlled the main factor is that of the nominal
+/// body.
 struct LegEnds {
     LoadFactors from, to;
+    double course = 0.0;  // above zero where the value of [load] rises, below zero where it falls
 };
 
 /// What a half cycle is expected to do to the tips.
@@ -98,8 +101,9 @@ public:
     /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments.
     void accepted(std::vector<double> openings = {});
 
-    /// The half cycle of which no increment has been taken; nothing within one, or when all is done.
-    [[nodiscard]] std::optional<LegEnds> leg_that_begins() const;
+    /// The half cycle of which no increment has been taken; nothing within one, or when all is done. `unit`: of the
+    /// nominal body.
+    [[nodiscard]] std::optional<LegEnds> leg_that_begins(const UnitDisplacement& unit) const;
     /// Of that one, before its increments are taken.
     void expect(const LegOutlook& outlook);
 
@@ -126,6 +130,9 @@ public:
     [[nodiscard]] double part_of_loads() const;
 
 private:
+    [[nodiscard]] bool begins_leg() const {
+        return position_.leg < legs_.size() && position_.increments == 0 && position_.way == 0.0;
+    }
     /// What of a leg is done where the next increment ends, and whether that is where an uncut one does.
     struct Way {
         double end;

@@ -1,6 +1,7 @@
 // From the values of a load history to load factors.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -11,8 +12,16 @@ namespace stria::coarse {
 
 /// Of the nominal body (nominal_solution.hpp) at the load factor 1, mm.
 struct UnitDisplacement {
-    double mean = 0.0;     // of the loaded boundary along its direction
-    double largest = 0.0;  // largest magnitude of a component
+    double mean = 0.0;                  // of the loaded boundary along its direction
+    double largest = 0.0;               // largest magnitude of a component
+    std::vector<double> of_cases = {};  // as `mean`, of each load case alone at its factor 1
+
+    /// The load factor with which it comes to a mean displacement, mm, beside load cases.
+    [[nodiscard]] double load_factor_at(double displacement, const Eigen::VectorXd& cases) const {
+        for (Eigen::Index k = 0; k < std::min(cases.size(), std::ssize(of_cases)); ++k)
+            displacement -= cases[k] * of_cases[static_cast<std::size_t>(k)];
+        return displacement / mean;
+    }
 };
 
 /// What a load history asks of the nominal body, at the load factor 1.

@@ -200,9 +200,10 @@ void members(auto& archive, Is<ClosureMemory> auto& m) {
 }
 
 void members(auto& archive, Is<UnitDisplacement> auto& m) {
-    auto& [mean, largest] = m;
+    auto& [mean, largest, of_cases] = m;
     archive("mean", mean);
     archive("largest", largest);
+    archive("of_cases", of_cases);
 }
 
 void members(auto& archive, Is<StillElements> auto& m) {

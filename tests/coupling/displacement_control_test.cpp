@@ -8,8 +8,10 @@
 #include "app/run/monolithic/monolithic.hpp"
 #include "coarse/equilibrium/condensed/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
+#include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
@@ -157,6 +159,29 @@ TEST(ElasticDisplacementControl, NeedsNoNewton) {
     EXPECT_NEAR(run.increments[0].load_factor, 0.1 / compliance, 1e-12 * 0.1 / compliance);
     EXPECT_NEAR(scene.mean_displacement.dot(run.increments[0].displacement), 0.1, 1e-12);
     EXPECT_NEAR(run.increments[0].tips[0].K_I, run.nominal[0].K_I * run.increments[0].load_factor, 1e-6);
+}
+
+TEST(ElasticDisplacementControl, BesideADeadLoadHasTheLoadFactorOfTheNominalBody) {
+    Case input = small_sent({"load.blocks=[{cycles=1,max=0.1,min=0.05}]"});
+    input.material.yield_stress.reset();
+    input.cracks[0].contact.reset();
+    input.load.control = Control::Displacement;
+    input.load_cases = {dead_load("dead", 30.0)};
+    for (const double side : {1.0, -1.0})
+        input.boundaries.push_back(pulled_in_case("dead", side > 0.0 ? "top" : "bottom", {0.0, side}));
+    coarse::CondensedFactory factory(nullptr, input);
+    const RunHistory run = run_analysis(input, factory);
+    const coarse::Scene scene = coarse::refined_scene(input);
+    const coarse::UnitDisplacement unit = unit_displacement(coarse::solve_nominal(scene).fields);
+    ASSERT_EQ(unit.of_cases.size(), 1U);
+    int controlled = 0;
+    for (const Followed& increment : run.increments) {
+        const coarse::Target& target = increment.step.target;
+        if (target.control != Control::Displacement) continue;  // the dead load comes on
+        ++controlled;
+        EXPECT_NEAR(increment.load_factor, unit.load_factor_at(target.value, target.cases), 1e-8) << target.value;
+    }
+    EXPECT_GT(controlled, 8);
 }
 
 TEST(ElasticDisplacementControl, RefusesWhatNoLoadMoves) {

@@ -63,7 +63,9 @@ TEST_F(ClosureMeasurementTest, WhatIsMoreThanRoundingIsLostOrMade) {
 }
 
 LegEnds leg(double from, double to, double from_case = 0.0, double to_case = 0.0) {
-    return {.from = {from, Eigen::VectorXd::Constant(1, from_case)}, .to = {to, Eigen::VectorXd::Constant(1, to_case)}};
+    return {.from = {from, Eigen::VectorXd::Constant(1, from_case)},
+            .to = {to, Eigen::VectorXd::Constant(1, to_case)},
+            .course = to - from};
 }
 
 TEST_F(ClosureMeasurementTest, ALegClosesWhatItLowersTheKOf) {

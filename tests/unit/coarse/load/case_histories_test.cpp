@@ -76,6 +76,29 @@ TEST(CaseHistories, ADeadLoadComesFirstAndStays) {
     EXPECT_EQ(controller(input).next()->cycle, 0);
 }
 
+// A dead load moves the boundary too, so that the main load has less to do, and K is that of both.
+TEST(CaseHistories, UnderAControlledDisplacementALegGoesBetweenLoads) {
+    Case input = cycles(4, {{1, 10.0, -10.0}});
+    input.load.control = Control::Displacement;
+    input.load_cases = {test::dead_load("dead", 3.0)};
+    const UnitDisplacement unit{.mean = 0.5, .largest = 1.0, .of_cases = {0.2}};
+    const auto ends_of_legs = [&](LoadController loads) {
+        std::vector<Stop> ends;
+        for (; loads.next(); loads.accepted())
+            if (const std::optional<LegEnds> leg = loads.leg_that_begins(unit))
+                for (const LoadFactors& end : {leg->from, leg->to})
+                    ends.push_back({end.main, {end.cases.begin(), end.cases.end()}});
+        return ends;
+    };
+    expect_close(
+        ends_of_legs(controller(input)),
+        {{0.0, {0}}, {0.0, {3}}, {0.0, {3}}, {18.8, {3}}, {18.8, {3}}, {-21.2, {3}}, {-21.2, {3}}, {18.8, {3}}});
+    LoadController loads = controller(input);
+    EXPECT_EQ(loads.leg_that_begins(unit)->course, 0.0);
+    for (int k = 0; k < 4; ++k) loads.accepted();
+    EXPECT_EQ(loads.leg_that_begins(unit)->course, -20.0);
+}
+
 TEST(CaseHistories, HalvingTakesAllLoadsHalfWay) {
     Case input = cycles(2, {{1, 10.0, 0.0}});
     input.load_cases = {test::dead_load("dead", 3.0)};

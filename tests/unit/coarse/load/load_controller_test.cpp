@@ -27,7 +27,7 @@ LegOutlook outlook(const LegEnds& leg, std::vector<double> met, double unit_K = 
 
 void accept_with_meetings(LoadController& loads, const std::vector<double>& met, double unit_K = 1.0) {
     loads.accepted();
-    if (const auto leg = loads.leg_that_begins()) loads.expect(outlook(*leg, met, unit_K));
+    if (const auto leg = loads.leg_that_begins({.mean = 1.0})) loads.expect(outlook(*leg, met, unit_K));
 }
 
 std::vector<LoadStep> all_steps(LoadController loads) {
@@ -148,7 +148,7 @@ TEST(LoadController, EndsAnIncrementWhereFacesOfALongerCrackMeet) {
     }
     loads.set_scale(0.08);
     constexpr double met = 10.0;
-    loads.expect(outlook(*loads.leg_that_begins(), {met}));
+    loads.expect(outlook(*loads.leg_that_begins({.mean = 1.0}), {met}));
     bool ends_there = false;
     for (auto step = loads.next(); !step->at_minimum; step = loads.next()) {
         ends_there = ends_there || std::abs(step->target.value - 0.08 * met) < 1e-12;
@@ -199,7 +199,7 @@ TEST(LoadController, KnowsWhereFacesMetWhenItsHistoryIsMadeLonger) {
     LoadController shorter = cycles(1), whole = cycles(2), longer = cycles(2);
     std::vector<double> found = stops(shorter);
     longer.resume(shorter.position());
-    longer.expect(outlook(*longer.leg_that_begins(), {10.0}));
+    longer.expect(outlook(*longer.leg_that_begins({.mean = 1.0}), {10.0}));
     std::ranges::copy(stops(longer), std::back_inserter(found));
     EXPECT_EQ(found, stops(whole));
 }
