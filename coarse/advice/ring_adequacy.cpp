@@ -12,8 +12,27 @@
 namespace stria::coarse {
 namespace {
 
-constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
-constexpr double least_for_K = 0.3;       // elements to another metal
+/// Across the radius of the largest one.
+constexpr double elements_in_ring = 3.0, elements_with_fields = 2.0;
+constexpr double least_for_K = 0.3;  // elements to another metal
+
+bool share_functions(const EnrichedMesh& mesh, int tip) {
+    return std::ranges::any_of(mesh.terms, [&](const std::vector<Term>& terms) {
+        return std::ranges::any_of(
+            terms, [&](const Term& term) { return term.kind == Term::Kind::Gathered && term.owner == tip; });
+    });
+}
+
+/// Elements across the radius of the largest ring with which K is within two percent (docs/verification/elastic.md,
+/// tips that are near). Three everywhere; of an elastic body two are enough to the other end of a crack, and to the
+/// boundary where the fields of elasticity stand on all elements about the tip's.
+double elements_wanted(const Scene& scene, int tip, double element) {
+    const RoomForRings room = room_for_rings(scene, tip);
+    const double three = elements_in_ring * element;
+    const bool off_the_rest = std::min(room.bends_and_forces, room.other_cracks) >= three;
+    const bool off_boundary = room.boundary >= three || share_functions(scene.enriched, tip);
+    return has_elastic_fields(scene) && off_the_rest && off_boundary ? elements_with_fields : elements_in_ring;
+}
 
 }  // namespace
 
@@ -32,11 +51,13 @@ std::optional<MeshDoubt> doubt_of_bend(const Scene& scene, std::size_t t) {
 std::optional<MeshDoubt> doubt_of_room(const Scene& scene, std::size_t tip, double radius) {
     const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
     if (radius >= elements_in_ring * element || doubt_of_bend(scene, tip)) return std::nullopt;
+    const double wanted = elements_wanted(scene, static_cast<int>(tip), element);
+    if (radius >= wanted * element) return std::nullopt;
     return MeshDoubt{
         MeshDoubtKind::Room,
         fmt::format("tip {}: the largest ring off edges, loads, bends and other tips has a radius of {:.3g} mm, {:.2g} "
                     "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
-                    tip, radius, radius / element, element, elements_in_ring)};
+                    tip, radius, radius / element, element, wanted)};
 }
 
 // K and T are taken across metals, J is not.

@@ -13,7 +13,8 @@ namespace stria::coarse {
 /// A bend less than two elements behind a tip, which rings pass over.
 [[nodiscard]] std::optional<MeshDoubt> doubt_of_bend(const Scene& scene, std::size_t tip);
 
-/// No ring of three elements about it, which is not due to a bend. `radius`: of the largest ring, mm.
+/// No ring of as many elements about it as K wants, two or three, which is not due to a bend. `radius`: of the largest
+/// ring, mm.
 [[nodiscard]] std::optional<MeshDoubt> doubt_of_room(const Scene& scene, std::size_t tip, double radius);
 
 /// Where there are several metals: no ring of two elements in its own, and graver, none that leaves K within a percent.

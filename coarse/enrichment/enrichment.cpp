@@ -136,25 +136,22 @@ private:
 
     void add_functions(int index, const CrackPiece& piece, const CrackSides& sides) {
         const Tip& tip = result_.tips[at(index)];
-        const Term::Kind kind =
-            tip_enrichment_.support == TipSupport::Gathered ? Term::Kind::Gathered : Term::Kind::Tip;
-        for (const auto& [node, side] : branches(support_of(index, piece), piece, sides)) {
+        const auto [nodes, share] = support_of_tip(mesh_, tip_enrichment_, tip, piece, room_about(index, piece));
+        const Term::Kind kind = share ? Term::Kind::Gathered : Term::Kind::Tip;
+        for (const auto& [node, side] : branches(nodes, piece, sides)) {
             const auto value = tip_functions(tip, mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
             for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha)
                 result_.terms[at(node)].push_back({kind, index, alpha, value[alpha]});
         }
     }
 
-    [[nodiscard]] std::set<int> support_of(int tip, const CrackPiece& piece) const {
-        std::set<int> nodes = tip_nodes(mesh_, piece);
-        if (tip_enrichment_.support == TipSupport::Topological) return nodes;
+    [[nodiscard]] RoomOfDisk room_about(int index, const CrackPiece& piece) const {
         const double size = diagonal(mesh_, piece.element);
-        const RoomOfDisk room{.reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * size),
-                              .half_way = half_way_to_others(cracks_, result_.tips, tip),
-                              .diagonal = size};
-        const Tip& at_centre = result_.tips[at(tip)];
-        add_disk(mesh_, at_centre.position, disk_radius(tip_enrichment_, at_centre, room), nodes);
-        return nodes;
+        const Tip& tip = result_.tips[at(index)];
+        return {.in_body = room_in_body(mesh_, cracks_, tip, bend_to_element * size),
+                .other_end = half_way_to_other_end(result_.tips, index),
+                .other_cracks = half_way_to_other_cracks(cracks_, result_.tips, index),
+                .diagonal = size};
     }
 
     /// Nodes of a tip's functions and what hangs between them, with the side of the crack that chooses the branch of

@@ -68,22 +68,36 @@ double straight_length(const CrackSection& crack, const Tip& tip, double band) {
     return rest.empty() ? std::numeric_limits<double>::infinity() : (rest.front() - tip.position).norm();
 }
 
-double half_way_to_others(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip) {
+double half_way_to_other_end(std::span<const Tip> tips, int tip) {
     const Tip& own = tips[at(tip)];
     double nearest = std::numeric_limits<double>::infinity();
     for (int other = 0; other < std::ssize(tips); ++other)
-        if (other != tip) nearest = std::min(nearest, (tips[at(other)].position - own.position).norm());
+        if (other != tip && tips[at(other)].crack == own.crack)
+            nearest = std::min(nearest, (tips[at(other)].position - own.position).norm());
+    return nearest / 2.0;
+}
+
+double half_way_to_other_cracks(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip) {
+    const Tip& own = tips[at(tip)];
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Tip& other : tips)
+        if (other.crack != own.crack) nearest = std::min(nearest, (other.position - own.position).norm());
     for (int crack = 0; crack < std::ssize(cracks); ++crack)
         if (crack != own.crack) nearest = std::min(nearest, distance_to(cracks[at(crack)].points, own.position));
     return nearest / 2.0;
 }
 
-double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip,
-                 double band) {
-    const Tip& own = tips[at(tip)];
-    const double reach = std::min(distance_to_boundary(mesh, own.position), half_way_to_others(cracks, tips, tip));
-    if (own.crack >= std::ssize(cracks)) return reach;  // of a field that has a tip and no crack
-    return std::min(reach, distance_to(beyond_straight(cracks[at(own.crack)], own, band), own.position));
+double half_way_to_others(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip) {
+    return std::min(half_way_to_other_end(tips, tip), half_way_to_other_cracks(cracks, tips, tip));
+}
+
+double distance_to_bend(const std::vector<CrackSection>& cracks, const Tip& tip, double band) {
+    if (tip.crack >= std::ssize(cracks)) return std::numeric_limits<double>::infinity();  // a field's, without a crack
+    return distance_to(beyond_straight(cracks[at(tip.crack)], tip, band), tip.position);
+}
+
+double room_in_body(const Mesh& mesh, const std::vector<CrackSection>& cracks, const Tip& tip, double band) {
+    return std::min(distance_to_boundary(mesh, tip.position), distance_to_bend(cracks, tip, band));
 }
 
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip) {

@@ -17,14 +17,22 @@ constexpr double bend_to_element = 0.25;
 /// From so many elements behind a bend on K is resolved: rings about a tip pass over one that is nearer.
 constexpr double elements_behind_bend = 2.0;
 
+/// Half of the distance from tip number `tip` to the other one of its crack, mm; infinite where there is none.
+double half_way_to_other_end(std::span<const Tip> tips, int tip);
+
+/// The same to the nearest other crack, its tips included.
+double half_way_to_other_cracks(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip);
+
 /// Half of the distance from tip number `tip` to the nearest other one or another crack, mm; infinite where there is
 /// none.
 double half_way_to_others(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip);
 
-/// Distance from tip number `tip` to the nearest of: the body's boundary, the middle between it and another tip or
-/// crack, and what its own crack is beyond the place where it leaves the line behind the tip by more than `band`, mm.
-double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip,
-                 double band);
+/// Distance from a tip to what its own crack is beyond the place where it leaves the line behind the tip by more than
+/// `band`, mm; infinite where it does not.
+double distance_to_bend(const std::vector<CrackSection>& cracks, const Tip& tip, double band);
+
+/// Distance from a tip to the nearest of that and the body's boundary, mm.
+double room_in_body(const Mesh& mesh, const std::vector<CrackSection>& cracks, const Tip& tip, double band);
 
 /// Distance from a tip to that place; infinite where the crack does not leave the line.
 double straight_length(const CrackSection& crack, const Tip& tip, double band);

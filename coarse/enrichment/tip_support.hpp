@@ -23,13 +23,22 @@ void add_disk(const Mesh& mesh, const Vec2& place, double radius, std::set<int>&
 
 /// About a tip, mm.
 struct RoomOfDisk {
-    double reach;     // tip_reach()
-    double half_way;  // half_way_to_others()
-    double diagonal;  // of the tip's element
+    double in_body;       // room_in_body()
+    double other_end;     // half_way_to_other_end()
+    double other_cracks;  // half_way_to_other_cracks()
+    double diagonal;      // of the tip's element
 };
 
 /// Of the disk on which a support of fixed radius has its functions, mm. Throws CaseError, naming the tip's place,
 /// where the radius that the case asks for reaches farther than the tip.
 [[nodiscard]] double disk_radius(const TipEnrichment& enrichment, const Tip& tip, const RoomOfDisk& room);
+
+/// What carries a tip's functions.
+struct TipNodes {
+    std::set<int> nodes;
+    bool share;  // all have one pair of unknowns a function: TipSupport::Gathered, where a disk has room
+};
+[[nodiscard]] TipNodes support_of_tip(const Mesh& mesh, const TipEnrichment& enrichment, const Tip& tip,
+                                      const CrackPiece& piece, const RoomOfDisk& room);
 
 }  // namespace stria::coarse

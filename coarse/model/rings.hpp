@@ -9,7 +9,19 @@
 
 namespace stria::coarse {
 
-/// Outer radius of the largest ring around a tip, mm: within its reach, off forces, no longer than 40 of the body's
+/// Nothing flows, and functions that span the singular fields of elasticity stand at the tips.
+bool has_elastic_fields(const Scene& scene);
+
+/// What bounds the rings about a tip, mm.
+struct RoomForRings {
+    double boundary;
+    double bends_and_forces;
+    double other_end;     // the other tip of its crack
+    double other_cracks;  // and their tips
+};
+RoomForRings room_for_rings(const Scene& scene, int tip);
+
+/// Outer radius of the largest ring around a tip, mm: within that room, no longer than 40 of the body's
 /// longest edges where nothing flows over many of them, and inside the tip's metal, unless that leaves less than four
 /// elements.
 double largest_ring(const Scene& scene, int tip);

@@ -62,9 +62,9 @@ Section<FineSection> fine_section() {
     s.value("enrichment_radius", &FineSection::enrichment_radius)
         .in("mm")
         .positive()
-        .or_else("3/4 of the distance to the boundary, the middle to another tip or crack, or a bend, or 1.15 element "
-                 "diagonals "
-                 "where it is as far; at most 20 of them, and 1.25 less than to that middle")
+        .or_else("3/4 of the distance to the boundary, the middle to another tip or crack, or a bend; at least the "
+                 "elements about that of the tip, which 1.15 element diagonals hold; at most 20 of them, and 1.25 less "
+                 "than to that middle; where others leave no room for the least, the tip's element alone")
         .says("Radius of geometrical enrichment.");
     s.value("enrichment_n", &FineSection::enrichment_n)
         .at_least(1.0)

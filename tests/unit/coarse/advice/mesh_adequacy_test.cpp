@@ -54,6 +54,31 @@ TEST_F(Advice, NamesATipWithoutRoomForRings) {
     EXPECT_TRUE(from_far_edge(4.3).empty());
 }
 
+// Errors by what stands at the tip: docs/verification/elastic.md, "Tips that are near to each other".
+TEST_F(Advice, WantsTwoElementsForRingsOfElasticTipsAndThreeBesideOtherCracks) {
+    input.cracks[0].contact.reset();
+    const auto of_length = [&](double length) {
+        input.cracks[0].points = {{8.2, 10.3}, {8.2 + length, 10.3}};
+        return at(300.0);
+    };
+    ASSERT_FALSE(of_length(3.0).empty());  // yields
+    EXPECT_NE(of_length(3.0)[0].find("K and J want 3 or more"), std::string::npos) << of_length(3.0)[0];
+    input.material.yield_stress.reset();
+    input.material.kinematic.clear();
+    EXPECT_TRUE(of_length(3.0).empty());
+    ASSERT_EQ(of_length(2.4).size(), 2U);
+    EXPECT_NE(of_length(2.4)[0].find("1.9 elements of 1 mm; K and J want 2 or more"), std::string::npos)
+        << of_length(2.4)[0];
+    input.cracks.push_back({.points = {{0.0, 10.3}, {3.2, 10.3}}, .contact = {}});
+    ASSERT_FALSE(of_length(7.0).empty());
+    EXPECT_NE(of_length(7.0)[0].find("K and J want 3 or more"), std::string::npos) << of_length(7.0)[0];
+    input.cracks.pop_back();
+    input.cracks[0].points = {{0.0, 10.3}, {input.mesh.width - 2.4, 10.3}};
+    EXPECT_TRUE(at(300.0).empty()) << "functions on all elements about the tip's";
+    input.fine.enrichment = Enrichment::Topological;
+    EXPECT_EQ(at(300.0).size(), 1U);
+}
+
 TEST_F(Advice, NamesTheRefinementThatWouldDo) {
     const auto warnings = at(600.0);  // 0.63 mm
     ASSERT_EQ(warnings.size(), 1U);

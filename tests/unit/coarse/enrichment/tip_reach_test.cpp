@@ -45,9 +45,9 @@ TEST(TipReach, EndsAtAStretchOfTheSameCrackThatComesBack) {
     CrackSection hook;
     hook.points = {{6.0, -4.0}, {-8.0, -4.0}, {-8.0, 0.0}, {0.0, 0.0}};
     const Tip tip = tip_at_origin();
-    EXPECT_NEAR(tip_reach(far_away, {hook}, std::span(&tip, 1), 0, 0.2), 4.0, 1e-12);
+    EXPECT_NEAR(room_in_body(far_away, {hook}, tip, 0.2), 4.0, 1e-12);
     hook.points = {{-8.0, -9.0}, {-8.0, 0.0}, {0.0, 0.0}};
-    EXPECT_NEAR(tip_reach(far_away, {hook}, std::span(&tip, 1), 0, 0.2), std::hypot(8.0, 0.2), 1e-12);
+    EXPECT_NEAR(room_in_body(far_away, {hook}, tip, 0.2), std::hypot(8.0, 0.2), 1e-12);
 }
 
 TEST(TipReach, IsHalfOfTheWayToAnotherTipOrCrackAndNotToItsOwn) {
@@ -61,7 +61,8 @@ TEST(TipReach, IsHalfOfTheWayToAnotherTipOrCrackAndNotToItsOwn) {
     CrackSection beside;  // nearest between its points
     beside.points = {{-9.0, 4.0}, {9.0, 4.0}};
     EXPECT_DOUBLE_EQ(half_way_to_others({own, beside}, tips, 0), 2.0);
-    EXPECT_DOUBLE_EQ(tip_reach(Mesh{}, {own, beside}, tips, 0, 0.2), 2.0);
+    EXPECT_DOUBLE_EQ(half_way_to_other_end(tips, 0), 3.0);
+    EXPECT_DOUBLE_EQ(half_way_to_other_cracks({own, beside}, tips, 0), 2.0);
 }
 
 TEST(TipReach, EndsAtTheBoundary) {
@@ -70,7 +71,7 @@ TEST(TipReach, EndsAtTheBoundary) {
     EXPECT_DOUBLE_EQ(distance_to_boundary(mesh, {1.0, 5.5}), 1.0);
     Tip tip = tip_at_origin();
     tip.position = {3.0, 5.5};
-    EXPECT_DOUBLE_EQ(tip_reach(mesh, {}, std::span(&tip, 1), 0, 0.2), 2.5);
+    EXPECT_DOUBLE_EQ(room_in_body(mesh, {}, tip, 0.2), 2.5);
 }
 
 // Of the columns of a square the last one is of another metal.

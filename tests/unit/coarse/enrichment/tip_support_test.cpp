@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 
 #include "coarse/model/mesh_refinement.hpp"
 #include "common/error.hpp"
@@ -11,6 +12,12 @@
 
 namespace stria::coarse {
 namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+RoomOfDisk room_of(double in_body, double other_end, double other_cracks, double diagonal) {
+    return {.in_body = in_body, .other_end = other_end, .other_cracks = other_cracks, .diagonal = diagonal};
+}
 
 /// Of a 4 x 4 mesh of the unit square.
 int node_of_16(int column, int row) { return 5 * row + column; }
@@ -56,29 +63,53 @@ TEST(TipSupport, OfADiskIsWholeElements) {
 TEST(TipSupport, ReachesThreeQuartersOfTheWayKeepsClearOfOthersAndIsNotLargerThanPays) {
     const Tip tip{};
     const TipEnrichment tips{.most_diagonals = 20.0};
-    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 8.0, .diagonal = 1.0}), 6.0);
-    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 7.0, .diagonal = 1.0}), 5.75);
-    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 8.0, .diagonal = 0.25}), 5.0);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, room_of(8.0, infinite, infinite, 1.0)), 6.0);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, room_of(8.0, 3.0, infinite, 1.0)), 1.75);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, room_of(8.0, infinite, 3.0, 1.0)), 1.75);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, room_of(8.0, infinite, 8.0, 0.25)), 5.0);
 }
 
 TEST(TipSupport, ReachesTheElementsAboutATipOnAnEdgeWhereThereIsRoom) {
     const Tip tip{};
     const TipEnrichment tips{.most_diagonals = 20.0};
-    const double infinite = std::numeric_limits<double>::infinity();
-    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 1.4, .half_way = infinite, .diagonal = 1.0}), 1.15);
-    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 1.1, .half_way = infinite, .diagonal = 1.0}), 1.1);
-    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 1.6, .half_way = infinite, .diagonal = 1.0}), 1.2);
-    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 1.4, .half_way = 2.0, .diagonal = 1.0}), 0.75)
-        << "clear of others";
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, room_of(1.4, infinite, infinite, 1.0)), 1.15);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, room_of(1.1, infinite, infinite, 1.0)), 1.1);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, room_of(1.6, infinite, infinite, 1.0)), 1.2);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, room_of(1.4, 2.0, infinite, 1.0)), 0.75) << "clear of others";
 }
 
 TEST(TipSupport, IsAsLargeAsTheCaseSaysOrTheCaseIsRefused) {
     TipEnrichment tips{.radius = 2.0};
-    const RoomOfDisk room{.reach = 2.0, .half_way = 2.0, .diagonal = 1.0};
+    const RoomOfDisk room = room_of(2.0, 2.0, infinite, 1.0);
     const Tip tip{.crack = 0, .position = {3.0, 5.0}, .direction = Vec2::UnitX(), .s = 3.0, .upper = 1};
     EXPECT_EQ(disk_radius(tips, tip, room), 2.0);
     tips.radius = 2.01;
     EXPECT_THROW(static_cast<void>(disk_radius(tips, tip, room)), CaseError);
+}
+
+/// In the middle of 12 x 12 elements of 1 mm.
+TipNodes about_tip(TipSupport support, double in_body, double other_end, double other_cracks) {
+    const Mesh mesh = test::square_mesh(12, 12.0);
+    const Tip tip{.crack = 0, .position = {5.5, 5.5}, .direction = Vec2::UnitX(), .s = 3.0, .upper = 1};
+    const CrackPiece piece{.crack = 0, .element = 5 * 12 + 5, .points = {}, .s = {}};
+    return support_of_tip(mesh, {.support = support}, tip, piece,
+                          room_of(in_body, other_end, other_cracks, std::numbers::sqrt2));
+}
+
+// The last nodes of the elements about the tip's are 1.5 sqrt(2) = 2.12 mm away, and half an element is 0.71 mm.
+TEST(TipSupport, SharesFunctionsAmongAllElementsAboutTheTipsOrHasThemOnThatAlone) {
+    const auto shared = [](double other_end, double other_cracks) {
+        const TipNodes found = about_tip(TipSupport::Gathered, 5.0, other_end, other_cracks);
+        EXPECT_EQ(found.nodes.size(), found.share ? 16U : 4U);
+        return found.share;
+    };
+    EXPECT_TRUE(shared(2.13, infinite)) << "no node of the crack's other tip";
+    EXPECT_FALSE(shared(2.11, infinite));
+    EXPECT_TRUE(shared(infinite, 2.84)) << "no element that sees another crack";
+    EXPECT_FALSE(shared(infinite, 2.82));
+    EXPECT_TRUE(about_tip(TipSupport::Gathered, 1.2, infinite, infinite).share) << "the boundary takes none";
+    EXPECT_FALSE(about_tip(TipSupport::Nodal, 5.0, infinite, infinite).share);
+    EXPECT_FALSE(about_tip(TipSupport::Topological, 5.0, infinite, infinite).share);
 }
 
 }  // namespace

@@ -68,6 +68,23 @@ TEST(Rings, StayOffPointsThatBearAForceOrAreHeld) {
     EXPECT_NEAR(largest_with([](auto& point, double) { point.displacement[0] = 0.0; }), radius, 1e-12);
 }
 
+// What flows about the other end of a crack stays outside.
+TEST(Rings, ReachBeyondTheMiddleOfAnElasticCrackOfFewElements) {
+    Case input = test::pulled_plate(1.0, false, false);
+    const auto of_length = [&](double length) {
+        input.cracks[0].points = {{8.2, 15.1}, {8.2 + length, 15.1}};
+        return largest_ring(refined_scene(input), 0);
+    };
+    EXPECT_NEAR(of_length(3.0), 0.8 * 3.0, 1e-12);
+    EXPECT_NEAR(of_length(6.0), 4.0, 1e-12) << "as many elements";
+    EXPECT_NEAR(of_length(9.0), 0.475 * 9.0, 1e-12);
+    input.cracks.push_back({.points = {{0.0, 15.1}, {5.2, 15.1}}, .contact = {}});
+    EXPECT_NEAR(of_length(3.5), 0.475 * 3.0, 1e-12);
+    input.cracks.pop_back();
+    input.material.yield_stress = 300.0;
+    EXPECT_NEAR(of_length(3.0), 0.475 * 3.0, 1e-12);
+}
+
 TEST(Rings, AreFewerOnACoarseMeshButNeverNone) {
     EXPECT_LT(rings_about(cracked_plate(1.0, false), 0).size(), 5U);
     EXPECT_EQ(rings_about(cracked_plate(2.0, false), 0).size(), 1U);
