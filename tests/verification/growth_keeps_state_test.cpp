@@ -134,6 +134,28 @@ TEST_P(GrowthKeepsState, ThoughTheCrackIsLonger) {
     EXPECT_LT(refit, GetParam().re_fit * all.released);
 }
 
+// Without tip functions a crack is led on straight from its tip to an edge. Where it turns it leaves that way: nodes
+// and elements beside it lose their jumps, and points between the old line and the new one come to lie on the other
+// side. Nodes, stresses and plastic strains stay; what is behind the tip's element stays, too.
+TEST(GrowthWithoutFunctions, KeepsStressesThoughItsFacesMoveWhereItTurns) {
+    double field = 0.0, jump = 0.0;
+    for (const auto& [crack, growth] : {std::pair{slanted, 0.6},
+                                        {std::vector<Vec2>{{22.6, 21.4}, {27.7, 26.9}}, 1.3},
+                                        {std::vector<Vec2>{{21.2, 30.1}, {29.4, 21.8}}, 0.9},
+                                        {std::vector<Vec2>{{22.0, 19.0}, {26.0, 31.0}}, 0.7}}) {
+        const Scenario scenario{"", crack, growth * element_edge, {"none"}};
+        const Case input = case_of(scenario);
+        for (const Change& change : changes_of(input, scene_of(scenario, input))) {
+            EXPECT_LT(std::max({change.displacement, change.stress, change.plastic_strain}), 1e-12);
+            field = std::max(field, change.field);
+            jump = std::max(jump, change.jump);
+        }
+    }
+    std::cout << fmt::format("turning without functions: field {:.3f}, jump {:.3f} of the largest\n", field, jump);
+    EXPECT_LT(field, 0.08);
+    EXPECT_LT(jump, 0.4);
+}
+
 // Six functions bend the stress within an element more than its points follow: where the crack turns new weights change
 // 1.8 % there. Where it is closed next to nothing is released, and new weights change more than half of that.
 constexpr double where_closed = 0.7, of_six = 0.025;
