@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/io/byte_order_mark.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -46,7 +47,7 @@ AbaqusLines::AbaqusLines(std::string text, std::string name) : text_(std::move(t
 bool AbaqusLines::next_line() {
     if (std::exchange(waits_, false)) return true;
     while (std::getline(text_, line_)) {
-        ++number_;
+        if (++number_ == 1 && line_.starts_with(byte_order_mark)) line_.erase(0, byte_order_mark.size());
         line_ = trimmed(line_);
         if (!line_.empty() && !line_.starts_with("**")) return true;
     }

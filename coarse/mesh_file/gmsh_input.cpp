@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/io/byte_order_mark.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -15,7 +16,9 @@ constexpr std::string_view blank = " \t\r\n";
 
 }  // namespace
 
-GmshInput::GmshInput(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name)) {}
+GmshInput::GmshInput(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name)) {
+    if (text_.starts_with(byte_order_mark)) place_ = byte_order_mark.size();
+}
 
 void GmshInput::be_binary() {
     binary_ = true;

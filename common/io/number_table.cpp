@@ -5,6 +5,8 @@
 #include <limits>
 #include <string_view>
 
+#include "common/io/byte_order_mark.hpp"
+
 namespace stria {
 namespace {
 
@@ -48,14 +50,17 @@ NumberTable read_table(const std::filesystem::path& path, const std::function<bo
     NumberTable table;
     std::ifstream file(path);
     std::string line;
-    if (!std::getline(file, line)) return table;
-    if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // the byte order mark of UTF-8
+    while (trimmed(line).empty()) {
+        if (!std::getline(file, line)) return table;
+        const bool first = ++table.names_line == 1;
+        if (first && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+    }
     std::vector<std::vector<double>*> columns;
     for (const std::string_view name : cells_of(line)) {
         if (table.repeated.empty() && table.columns.contains(std::string(name))) table.repeated = name;
         columns.push_back(&table.columns[std::string(name)]);
     }
-    for (std::size_t number = 2; std::getline(file, line); ++number) {
+    for (std::size_t number = table.names_line + 1; std::getline(file, line); ++number) {
         const std::string_view text = line;
         if (trimmed(text).empty() || !wanted(number_in(without_quotes(trimmed(text.substr(0, text.find(',')))))))
             continue;

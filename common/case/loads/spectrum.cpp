@@ -111,25 +111,25 @@ std::string how_to_write(const std::string& name) {
 /// Nothing that a table says is passed over.
 void check_columns(const std::filesystem::path& path, const NumberTable& table, const std::vector<std::string>& cases) {
     if (!table.repeated.empty())
-        throw CaseError(
-            fmt::format("{}:1: load.spectrum: column \"{}\" is given twice", path.string(), table.repeated));
+        throw CaseError(fmt::format("{}:{}: load.spectrum: column \"{}\" is given twice", path.string(),
+                                    table.names_line, table.repeated));
     const bool turning = table.columns.contains("turning_point");
     const auto is_case = [&](const std::string& name) { return std::ranges::find(cases, name) != cases.end(); };
     for (const auto& [name, values] : table.columns) {
         const bool known =
             turning ? name == "turning_point" || is_case(name) : name == "max" || name == "min" || name == "cycles";
         if (!known)
-            throw CaseError(fmt::format("{}:1: load.spectrum: column \"{}\" is not known, must be max, min and cycles, "
-                                        "or turning_point alone{}{}",
-                                        path.string(), name,
-                                        cases.empty() ? "" : " with the load cases that have no other history",
-                                        how_to_write(name)));
+            throw CaseError(fmt::format(
+                "{}:{}: load.spectrum: column \"{}\" is not known, must be max, min and cycles, "
+                "or turning_point alone{}{}",
+                path.string(), table.names_line, name,
+                cases.empty() ? "" : " with the load cases that have no other history", how_to_write(name)));
     }
     for (const std::string& name : cases)
         if (!table.columns.contains(name))
-            throw CaseError(fmt::format("{}:1: load.spectrum: the load case \"{}\" has no history: it needs a column "
+            throw CaseError(fmt::format("{}:{}: load.spectrum: the load case \"{}\" has no history: it needs a column "
                                         "of its name beside turning_point, or constant, factor or blocks",
-                                        path.string(), name));
+                                        path.string(), table.names_line, name));
 }
 
 }  // namespace
@@ -145,8 +145,8 @@ Spectrum read_spectrum(const std::filesystem::path& path, const std::vector<std:
     else if (table.columns.contains("max") && table.columns.contains("min"))
         spectrum.blocks = from_cycles(path, table);
     else
-        throw CaseError(
-            fmt::format("{}:1: load.spectrum: must name columns max and min, or turning_point", path.string()));
+        throw CaseError(fmt::format("{}:{}: load.spectrum: must name columns max and min, or turning_point",
+                                    path.string(), table.names_line));
     if (spectrum.blocks.empty()) throw CaseError(fmt::format("{}: load.spectrum: holds no cycle", path.string()));
     return spectrum;
 }

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <ctime>
+#include <fstream>
+#include <iterator>
 #include <string_view>
 
 #include "coarse/model/loads/boundary_conditions.hpp"
@@ -74,6 +76,22 @@ TEST_P(FormatOfMesh, GivesTheSameBody) {
 
 INSTANTIATE_TEST_SUITE_P(Gmsh, FormatOfMesh,
                          testing::Values("-41-text.msh", "-41-binary.msh", "-22-text.msh", "-22-binary.msh", ".inp"));
+
+TEST_P(FormatOfMesh, MayBeginWithAByteOrderMark) {
+    const std::string file = std::string("two-squares") + GetParam();
+    const test::TemporaryFolder folder;
+    std::ifstream as_written(test::mesh_data(file), std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(as_written), {});
+    test::write_file(folder / file, "\xEF\xBB\xBF" + text);
+    EXPECT_EQ(read_mesh_file(folder / file).nodes, read_mesh_file(test::mesh_data(file)).nodes);
+}
+
+TEST(MeshOfAbaqus, MayBeginWithAByteOrderMarkBeforeItsNodes) {
+    const test::TemporaryFolder folder;
+    test::write_file(folder / "a.inp",
+                     "\xEF\xBB\xBF*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n*ELEMENT,TYPE=CPS4\n1,1,2,3,4\n");
+    EXPECT_EQ(read_mesh_file(folder / "a.inp").nodes.size(), 4U);
+}
 
 // All that a mesh may say in Abaqus's words: sets of nodes, ranges, surfaces, elements that run clockwise or are
 // folded.

@@ -39,6 +39,15 @@ TEST_F(Spectrum, MayComeFromASpreadsheet) {
     EXPECT_EQ(read("\xEF\xBB\xBF\"max\",\"min\"\r\n\"+0.8\",-0.1\r\n"), (std::vector<LoadBlock>{{1, 0.8, -0.1}}));
 }
 
+TEST_F(Spectrum, MayBeginWithEmptyLines) {
+    EXPECT_EQ(read("\n \r\nmax,min\n\n4,1\n"), (std::vector<LoadBlock>{{1, 4.0, 1.0}}));
+    EXPECT_EQ(read("\xEF\xBB\xBF\r\nmax,min\r\n4,1\r\n"), (std::vector<LoadBlock>{{1, 4.0, 1.0}}));
+    EXPECT_EQ(complaint("\n\nmax,min\n10,-2\n\n1,2\n"), "s.csv:6: load.spectrum: must keep min < max");
+    EXPECT_EQ(complaint("\n\nmax\n1\n"), "s.csv:3: load.spectrum: must name columns max and min, or turning_point");
+    EXPECT_EQ(complaint("\nmax,max\n1,2\n"), "s.csv:2: load.spectrum: column \"max\" is given twice");
+    EXPECT_EQ(complaint("\n\n"), "s.csv: load.spectrum: cannot be read");
+}
+
 TEST_F(Spectrum, OrTurningPoints) {
     EXPECT_EQ(read("turning_point\n-1\n3\n5\n5\n2\n4\n1\n9\n"), (std::vector<LoadBlock>{{1, 5.0, 2.0}, {1, 4.0, 1.0}}));
 }
