@@ -77,6 +77,7 @@ void FatigueAnalysis::run() {
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
         controller_.accepted(openings(accepted_.tips));
+        controller_.stands_at(accepted_.machine.displacement);
         look_ahead();
         if (const std::optional<double> off = controller_.take_missed_accuracy())
             listener_.note(misses_accuracy(*off, body_.scene().input.load.accuracy));
@@ -101,6 +102,7 @@ bool FatigueAnalysis::settle_initial_stress() {
         }
     } while (zone_must_grow(step));
     accept(step, report, {});
+    controller_.stands_at(accepted_.machine.displacement);
     judge_settled_stress(body_.scene(), model_.work().stored, listener_.note);
     return true;
 }

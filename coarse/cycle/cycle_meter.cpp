@@ -163,7 +163,7 @@ void CycleMeter::add(const Increment& increment) {
         now_.way.push_back(tip.way);
     }
     now_.last = std::move(reached);
-    now_.last_target = increment.step.target.value;
+    now_.last_target = value_reached(increment);
 }
 
 // The load stands while the crack grows, and goes to what is asked of the longer one from there on: a cycle has the K

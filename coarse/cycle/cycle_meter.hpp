@@ -66,6 +66,12 @@ private:
     [[nodiscard]] double rise_of_load(const Increment& increment) const {
         return increment.step.target.value - now_.last_target;
     }
+    /// From there on. Where a displacement is controlled an initial stress and dead loads have moved the boundary.
+    [[nodiscard]] double value_reached(const Increment& increment) const {
+        const bool is_displacement = increment.step.target.control == Control::Displacement;
+        return control_ != Control::Displacement || is_displacement ? increment.step.target.value
+                                                                    : increment.machine.displacement;
+    }
     /// Under the change of all loads (coarse::rise_of_K()); zero where [load] stands.
     [[nodiscard]] double rise_of_K(const Increment& increment, std::size_t t) const;
     /// Where the increment begins: without load, if it is the first.

@@ -46,7 +46,16 @@ CaseHistories::CaseHistories(const Case& input)
       cycles_(cycle_count(input.load)), legs_(stria::coarse::legs(input.load)) {
     for (const LoadCaseSection& load_case : cases_) ends_of_blocks_.push_back(ends_of(load_case.blocks));
     const bool dead = std::ranges::any_of(cases_, [](const auto& c) { return c.constant.has_value(); });
-    if (dead || travelling_ > 0) legs_.insert(legs_.begin(), Leg{.cycle = 0, .from = 0.0, .to = 0.0, .leads = true});
+    if (!dead && travelling_ == 0) return;
+    // To a first displacement of zero there is a way from where they have moved the boundary.
+    if (input.load.control == Control::Displacement && (legs_.empty() || input.load.blocks.front().max == 0.0))
+        put_first({.cycle = 0, .from = 0.0, .to = 0.0, .at_maximum = true, .reversal = true});
+    put_first({.cycle = 0, .from = 0.0, .to = 0.0, .leads = true});
+}
+
+void CaseHistories::put_first(const Leg& leg) {
+    legs_.insert(legs_.begin(), leg);
+    ++put_first_;
 }
 
 Eigen::Index CaseHistories::count() const { return std::ssize(cases_) + travelling_ * positions_of_travel(load_); }

@@ -33,8 +33,12 @@ public:
     /// Of them, those of load cases.
     [[nodiscard]] std::size_t load_cases() const { return cases_.size(); }
 
-    /// The main history behind the leg in which dead loads and pressures that travel come on, if there are any.
+    /// The main history behind the leg in which dead loads and pressures that travel come on, if there are any. Where
+    /// displacements are controlled and the first one is zero a leg from where these have moved the boundary is
+    /// between.
     [[nodiscard]] const std::vector<Leg>& legs() const { return legs_; }
+    /// Of them, those that are no legs of the main history alone (load_history.hpp).
+    [[nodiscard]] std::size_t legs_before_history() const { return put_first_; }
     [[nodiscard]] bool leads() const { return !legs_.empty() && legs_.front().leads; }
 
     /// Load cases lag, and no pressure travels.
@@ -65,6 +69,7 @@ public:
     [[nodiscard]] double largest_sum(const std::vector<double>& of_unit, double scale) const;
 
 private:
+    void put_first(const Leg& leg);
     /// The least and the largest factor.
     [[nodiscard]] std::pair<double, double> extremes(const LoadCaseSection& load_case, double scale) const;
     // `k`: of a load case.
@@ -82,6 +87,7 @@ private:
     Eigen::Index travelling_ = 0;                   // pressures
     int cycles_ = 0;
     std::vector<Leg> legs_;
+    std::size_t put_first_ = 0;  // of them
 };
 
 /// Positions of a pressure that travels: it is at one of them where a whole increment ends.

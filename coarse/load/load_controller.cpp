@@ -54,6 +54,13 @@ void LoadController::resume(const LoadPosition& position) {
 
 double LoadController::end_of_leg() const { return scale_ * legs_[position_.leg].to; }
 
+// A way of no length ends at the extreme that is asked for.
+bool LoadController::turns_at_end() const {
+    const std::size_t next = position_.leg + 1;
+    if (!begins_where_boundary_stands() || next == legs_.size()) return legs_[position_.leg].reversal;
+    return (end_of_leg() - position_.leg_start) * (legs_[next].to - legs_[next].from) <= 0.0;
+}
+
 // Near a turn of [load] a load case that lags changes by much where [load] hardly does.
 double LoadController::part_of_loads() const {
     const LoadStep step = *next();
@@ -128,19 +135,18 @@ std::optional<LoadStep> LoadController::next() const {
     LoadStep step;
     step.cycle = leg.cycle;
     step.moment = leg.cycle - (leg.at_minimum || leg.leads ? 0.5 : 0.0) - 0.5 * (1.0 - way);
-    // Dead loads come on while the main load is none, not while a displacement is held.
-    step.target = {leg.leads ? Control::Load : control_, arrives ? stop(increment) : position_.reached + part};
+    step.target = {control(), arrives ? stop(increment) : position_.reached + part};
     if (cases_.count() > 0) step.target.cases = cases_at(way);
     step.predictor = predictor(taken_by(step));
     step.next_over_this = size_of_next({way, arrives});
     step.bends = arrives && (leg.leads ? way == 1.0 : cases_.have_corner(way));
     if (arrives && increment == increments()) {
-        step.reversal = leg.reversal;
+        step.reversal = turns_at_end();
         step.at_maximum = leg.at_maximum;
         step.at_minimum = leg.at_minimum;
         step.ends_cycle = leg.ends_cycle;
     }
-    step.at_zero = arrives && leg.from * leg.to < 0.0 && increment == stop_nearest_to_zero();
+    step.at_zero = arrives && position_.leg_start * end_of_leg() < 0.0 && increment == stop_nearest_to_zero();
     return step;
 }
 
@@ -230,6 +236,16 @@ void LoadController::committed_besides(int cycle, std::vector<double> openings) 
     remember({cycle, here, here, position_.cases, position_.cases});
 }
 
+// A way that rounding alone is the length of is none: what follows would be predicted from it.
+void LoadController::stands_at(double displacement) {
+    constexpr double rounding = 1e-9;  // of the largest displacement asked for
+    if (!begins_leg() || !begins_where_boundary_stands()) return;
+    const auto size = [](const Leg& leg) { return std::abs(leg.to); };
+    const double largest = size(std::ranges::max(legs_, {}, size));
+    const bool is_there = std::abs(end_of_leg() - displacement) <= rounding * largest;
+    position_.leg_start = position_.reached = is_there ? end_of_leg() : displacement;
+}
+
 std::optional<LegEnds> LoadController::leg_that_begins(const UnitDisplacement& unit) const {
     if (!begins_leg()) return std::nullopt;
     LegEnds leg{.from = {position_.leg_start}, .to = {end_of_leg()}, .course = end_of_leg() - position_.leg_start};
@@ -237,9 +253,8 @@ std::optional<LegEnds> LoadController::leg_that_begins(const UnitDisplacement& u
         leg.from.cases = cases_at_stop(0);
         leg.to.cases = cases_at_stop(increments());
     }
-    const bool leads = legs_[position_.leg].leads, led = position_.leg > 0 && legs_[position_.leg - 1].leads;
-    if (control_ != Control::Displacement || leads) return leg;
-    if (!led) leg.from.main = unit.load_factor_at(leg.from.main, leg.from.cases);  // there it is none
+    if (control() != Control::Displacement) return leg;
+    leg.from.main = begins_where_boundary_stands() ? 0.0 : unit.load_factor_at(leg.from.main, leg.from.cases);
     leg.to.main = unit.load_factor_at(leg.to.main, leg.to.cases);
     return leg;
 }

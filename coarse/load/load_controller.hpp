@@ -101,6 +101,10 @@ public:
     /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments.
     void accepted(std::vector<double> openings = {});
 
+    /// Where the loaded boundary stands, mm. Where a displacement is controlled and no increment of [load] has been
+    /// taken, its first half cycle goes on from there: dead loads and an initial stress have moved the boundary.
+    void stands_at(double displacement);
+
     /// The half cycle of which no increment has been taken; nothing within one, or when all is done. `unit`: of the
     /// nominal body.
     [[nodiscard]] std::optional<LegEnds> leg_that_begins(const UnitDisplacement& unit) const;
@@ -124,7 +128,7 @@ public:
     [[nodiscard]] int cuts() const { return position_.cuts; }
     /// The value reached: a load factor, or a displacement, mm.
     [[nodiscard]] double reached() const { return position_.reached; }
-    [[nodiscard]] Target reached_target() const { return {control_, position_.reached, 0.0, position_.cases}; }
+    [[nodiscard]] Target reached_target() const { return {control(), position_.reached, 0.0, position_.cases}; }
     /// How much of the loads of the present half cycle the next increment changes: of that load which changes most, in
     /// parts of the largest magnitude that it comes to there.
     [[nodiscard]] double part_of_loads() const;
@@ -138,9 +142,19 @@ private:
         double end;
         bool arrives;
     };
+    [[nodiscard]] bool leads() const { return position_.leg < legs_.size() && legs_[position_.leg].leads; }
+    /// Dead loads come on while the main load is none, not while a displacement is held.
+    [[nodiscard]] Control control() const { return leads() ? Control::Load : control_; }
+    /// The present leg is the first one of [load], and begins at the displacement that the boundary has then.
+    [[nodiscard]] bool begins_where_boundary_stands() const {
+        return control_ == Control::Displacement && position_.leg == (cases_.leads() ? 1U : 0U);
+    }
     [[nodiscard]] double end_of_leg() const;
     [[nodiscard]] bool rises(std::size_t leg) const { return legs_[leg].to > legs_[leg].from; }
-    [[nodiscard]] bool rises() const { return rises(position_.leg); }
+    [[nodiscard]] bool rises() const {
+        return begins_where_boundary_stands() ? end_of_leg() > position_.leg_start : rises(position_.leg);
+    }
+    [[nodiscard]] bool turns_at_end() const;  // of the leg: a half cycle ends there
     /// Parts of the leg at the ends of its uncut increments; the first is its start.
     [[nodiscard]] const std::vector<double>& ways() const { return schedule_.ways(rises()); }
     [[nodiscard]] int increments() const { return static_cast<int>(ways().size()) - 1; }  // of the leg, uncut

@@ -77,16 +77,18 @@ LoadSection load_of(const CaseMark& mark) {
     return load;
 }
 
+[[noreturn]] void refuse_history(int cycle) {
+    refuse(fmt::format("the load history is another one in cycle {}, which had begun when the checkpoint was written",
+                       cycle));
+}
+
 /// Up to and with the leg that the load is on.
 void compare_histories(const CaseMark& then, const CaseMark& now, std::size_t leg) {
     const std::vector<Leg> before = legs(load_of(then)), after = legs(load_of(now));
     for (std::size_t k = 0; k < std::min(leg + 1, before.size()); ++k) {
         const bool same = k < after.size() && after[k].cycle == before[k].cycle && after[k].from == before[k].from &&
                           after[k].to == before[k].to && after[k].ends_cycle == before[k].ends_cycle;
-        if (!same)
-            refuse(fmt::format("the load history is another one in cycle {}, which had begun when the checkpoint was "
-                               "written",
-                               before[k].cycle));
+        if (!same) refuse_history(before[k].cycle);
     }
 }
 
@@ -96,13 +98,19 @@ int cycles_of(const CaseMark& mark) { return cycle_count(load_of(mark)); }
 
 CaseMark mark_of(const Scene& scene) {
     const LoadSection& load = scene.input.load;
-    return {resolved_toml(essence(scene.input)), load.blocks,          load.scale, load.repeat,
-            CaseHistories(scene.input).leads(),  digest_of(scene.mesh)};
+    return {resolved_toml(essence(scene.input)),
+            load.blocks,
+            load.scale,
+            load.repeat,
+            CaseHistories(scene.input).legs_before_history(),
+            digest_of(scene.mesh)};
 }
 
 void check_same_case(const CaseMark& then, const CaseMark& now, const LoadPosition& reached) {
     compare_texts(then.text, now.text);
-    if (!then.leads || reached.leg > 0) compare_histories(then, now, reached.leg - (then.leads ? 1 : 0));
+    // Dead loads may be on their way yet, or the first displacement, zero, behind them.
+    if (reached.leg > 0 && then.legs_before != now.legs_before) refuse_history(0);
+    if (reached.leg >= then.legs_before) compare_histories(then, now, reached.leg - then.legs_before);
     if (then.mesh != now.mesh)
         refuse("the mesh is another one than where the checkpoint was written (it is refined along the way that the "
                "cracks will take)");

@@ -15,8 +15,8 @@ struct CaseMark {
     std::vector<LoadBlock> blocks;  // of the load history, which may change where the load has not been yet
     double scale = 1.0;
     int repeat = 1;
-    bool leads = false;      // dead loads come on before the first block (case_histories.hpp)
-    std::uint64_t mesh = 0;  // digest of its nodes, elements, materials and boundaries
+    std::size_t legs_before = 0;  // those of the blocks: dead loads come on (CaseHistories::legs_before_history)
+    std::uint64_t mesh = 0;       // digest of its nodes, elements, materials and boundaries
 };
 
 CaseMark mark_of(const Scene& scene);

@@ -252,12 +252,12 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
 }
 
 void members(auto& archive, Is<CaseMark> auto& m) {
-    auto& [text, blocks, scale, repeat, leads, mesh] = m;
+    auto& [text, blocks, scale, repeat, legs_before, mesh] = m;
     archive("text", text);
     archive("blocks", blocks);
     archive("scale", scale);
     archive("repeat", repeat);
-    archive("leads", leads);
+    archive("legs_before", legs_before);
     archive("mesh", mesh);
 }
 

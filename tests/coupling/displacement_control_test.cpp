@@ -68,7 +68,7 @@ struct ControlledCase {
 };
 
 /// One run under load control, and one that follows its displacements.
-class DisplacementControl : public testing::TestWithParam<ControlledCase> {
+class FollowedTargets : public testing::Test {
 protected:
     static RunHistory follow(const Case& input, coarse::EquilibriumFactory& factory, Control control,
                              const std::vector<double>& targets) {
@@ -112,6 +112,8 @@ protected:
 
     inline static std::vector<double> mean_;  // displacements of the increments followed
 };
+
+class DisplacementControl : public FollowedTargets, public testing::WithParamInterface<ControlledCase> {};
 
 TEST_P(DisplacementControl, FindsTheLoadsOfLoadControl) {
     const Case input = GetParam().input();
@@ -182,6 +184,106 @@ TEST(ElasticDisplacementControl, BesideADeadLoadHasTheLoadFactorOfTheNominalBody
         EXPECT_NEAR(increment.load_factor, unit.load_factor_at(target.value, target.cases), 1e-8) << target.value;
     }
     EXPECT_GT(controlled, 8);
+}
+
+/// Pulled at both ends by 60 MPa, which moves them apart by more than a quarter of 0.16 mm and less than that.
+Case beside_a_dead_load(const LoadBlock& block) {
+    Case input = small_sent({"fine.radius=200.0"});
+    input.load.control = Control::Displacement;
+    input.load.blocks = {block};
+    input.load_cases = {dead_load("dead", 60.0)};
+    for (const double side : {1.0, -1.0})
+        input.boundaries.push_back(pulled_in_case("dead", side > 0.0 ? "top" : "bottom", {0.0, side}));
+    return input;
+}
+
+/// Without flow and contact: no zone.
+RunHistory run_elastic(Case input) {
+    input.material.yield_stress.reset();
+    input.cracks[0].contact.reset();
+    input.fine.radius.reset();
+    coarse::CondensedFactory factory(nullptr, input);
+    return run_analysis(input, factory);
+}
+
+constexpr std::size_t half_cycle = 4;  // increments, and so many in which dead loads come on
+
+void expect_straight_on(const RunHistory& run, double to) {
+    ASSERT_GE(run.increments.size(), 2 * half_cycle);
+    const double from = run.increments[half_cycle - 1].machine.displacement;
+    for (std::size_t k = half_cycle; k < 2 * half_cycle; ++k) {
+        const Followed &before = run.increments[k - 1], &now = run.increments[k];
+        EXPECT_GT(now.machine.displacement, before.machine.displacement) << "increment " << k + 1;
+        EXPECT_GT(now.load_factor, before.load_factor) << "increment " << k + 1;
+        EXPECT_EQ(now.step.reversal, k + 1 == 2 * half_cycle);
+    }
+    EXPECT_NEAR(run.increments[2 * half_cycle - 1].machine.displacement, to, 1e-12);
+    EXPECT_NEAR(run.increments[half_cycle].step.target.value, from + 0.25 * (to - from), 1e-12);
+}
+
+// The way to the first maximum began at a displacement of zero, to which nobody had asked it back.
+TEST(ElasticDisplacementControl, GoesOnFromWhereADeadLoadHasMovedTheBoundary) {
+    const RunHistory run = run_elastic(beside_a_dead_load({.cycles = 1, .max = 0.16, .min = 0.02}));
+    expect_straight_on(run, 0.16);
+    EXPECT_NEAR(run.increments[3 * half_cycle - 1].machine.displacement, 0.02, 1e-12);
+    EXPECT_NEAR(run.increments[4 * half_cycle - 1].machine.displacement, 0.16, 1e-12);
+}
+
+// A first displacement that the dead load has passed is gone back to; one of zero is no exception.
+TEST(ElasticDisplacementControl, GoesBackFromADeadLoadWhereThatIsAsked) {
+    for (const double first : {0.02, 0.0}) {
+        const RunHistory run = run_elastic(beside_a_dead_load({.cycles = 1, .max = first, .min = -0.02}));
+        ASSERT_EQ(run.increments.size(), 4 * half_cycle);
+        const Followed &maximum = run.increments[2 * half_cycle - 1], &minimum = run.increments[3 * half_cycle - 1];
+        EXPECT_NEAR(maximum.machine.displacement, first, 1e-12);
+        EXPECT_TRUE(maximum.step.at_maximum);
+        EXPECT_FALSE(maximum.step.reversal) << "it goes on in the same direction";
+        EXPECT_EQ(maximum.step.cycle, 0);
+        EXPECT_NEAR(minimum.machine.displacement, -0.02, 1e-12);
+        EXPECT_TRUE(minimum.step.reversal);
+        for (std::size_t k = half_cycle; k < 3 * half_cycle; ++k)
+            EXPECT_LT(run.increments[k].machine.displacement, run.increments[k - 1].machine.displacement);
+    }
+}
+
+// An initial stress moves it as well. Without load the boundary stands at `settled`.
+TEST(ElasticDisplacementControl, GoesOnFromWhereAnInitialStressHasMovedTheBoundary) {
+    Case input = small_sent({"initial_stress={sigma_y={at=[0.0,25.0,50.0], stress=[200.0,-200.0,200.0]}}"});
+    const double settled = run_elastic(input).increments[0].machine.displacement;
+    ASSERT_GT(settled, 0.0);
+    input.load.control = Control::Displacement;
+    input.load.blocks = {{.cycles = 0, .max = 1.5 * settled, .min = 0.0}};
+    const RunHistory run = run_elastic(input);
+    ASSERT_EQ(run.increments.size(), 1 + half_cycle);
+    for (std::size_t k = 1; k <= half_cycle; ++k)
+        EXPECT_GT(run.increments[k].load_factor, run.increments[k - 1].load_factor);
+    EXPECT_NEAR(run.increments.back().machine.displacement, 1.5 * settled, 1e-12);
+}
+
+// A dead load in proportion to the main one is part of one load, the same plate's under load control.
+TEST_F(FollowedTargets, ADeadLoadAndAControlledDisplacementAreOneLoad) {
+    const Case input = beside_a_dead_load({.cycles = 1, .max = 0.16, .min = -0.05});
+    const RunHistory run = run_direct(input);
+    expect_straight_on(run, 0.16);
+    ASSERT_EQ(run.increments.size(), 4 * half_cycle);
+    EXPECT_GT(run.increments[3 * half_cycle - 1].zone.contact_length[0], 0.0);
+
+    std::vector<double> loads;
+    for (const Followed& increment : run.increments)
+        loads.push_back(increment.load_factor + increment.step.target.cases[0]);
+    const RunHistory one = follow_direct(small_sent({"fine.radius=200.0"}), Control::Load, loads);
+    const double dissipated = one.increments.back().zone.dissipation;
+    EXPECT_GT(dissipated, 0.0);
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+        EXPECT_NEAR(run.increments[k].machine.displacement, mean_[k], 1e-9 * 0.16) << "increment " << k + 1;
+        EXPECT_NEAR(run.increments[k].zone.dissipation, one.increments[k].zone.dissipation, 1e-8 * dissipated);
+    }
+
+    MonolithicFactory factory(input);
+    const RunHistory whole = run_analysis(input, factory);
+    ASSERT_EQ(whole.increments.size(), run.increments.size());
+    for (std::size_t k = 0; k < loads.size(); ++k)
+        EXPECT_NEAR(whole.increments[k].load_factor, run.increments[k].load_factor, 1e-9 * 100.0);
 }
 
 TEST(ElasticDisplacementControl, RefusesWhatNoLoadMoves) {

@@ -127,6 +127,15 @@ const StoppedRun displaced{"Displaced",
                             "load.control=displacement", "load.blocks=[{cycles=2, max=0.06, ratio=-1.0}]"},
                            14};
 
+/// Likewise beside a dead load, stopped where that has come on: the displacement goes on from where the boundary is.
+const StoppedRun displaced_beside{
+    "DisplacedBesideADeadLoad",
+    {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=8", "solver.tolerance=1e-12", "load.control=displacement",
+     "load.blocks=[{cycles=1, max=0.06, ratio=-1.0}]", "load_case=[{name='dead', constant=25.0}]",
+     "boundary=[{on='top', traction=[0.0,1.0]}, {on='top', traction=[0.0,1.0], case='dead'}, "
+     "{on='bottom', displacement=[0.0,0.0]}]"},
+    4};
+
 /// No zone at all.
 const StoppedRun elastic{"Elastic",
                          {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4",
@@ -327,7 +336,8 @@ TEST(ResumedCrack, HasTheLargestKOfItsLength) {
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
                          testing::Values(still, again, sliding, sliding_growing, extended, growing, slotted, small,
-                                         within, followed, halved, displaced, elastic, layered, loaded, lengthened),
+                                         within, followed, halved, displaced, displaced_beside, elastic, layered,
+                                         loaded, lengthened),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};

@@ -90,7 +90,8 @@ void declare_control(Section<LoadSection>& s) {
         .says("What max and min mean; load: the load factor. displacement: the displacement, mm, of the first listed "
               "boundary that carries a load, along it: what the loads there do work on, over their resultant, its mean "
               "where they are even (of a body that nothing holds there: what all loads do work on, over the force); "
-              "the load factor follows, past a limit load too. K: the nominal K, MPa sqrt(mm), of the first tip; the "
+              "the load factor follows, past a limit load too, and the first half cycle goes on from where dead loads "
+              "and an initial stress have moved the boundary. K: the nominal K, MPa sqrt(mm), of the first tip; the "
               "load factor K / K_1(a) follows the growing crack.");
     s.value("K_gradient", &LoadSection::K_gradient)
         .in("1/mm")

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "tests/support/load_cases.hpp"
@@ -28,6 +29,9 @@ protected:
         Increment increment;
         increment.step.cycle = cycle;
         increment.step.moment = moment;
+        if (input.load.control == Control::Displacement && !moved_to)
+            increment.step.target.control = Control::Displacement;
+        increment.machine.displacement = moved_to.value_or(load);
         increment.step.target.value = increment.load_factor = load;
         increment.cases_before = std::exchange(cases_before, cases);
         increment.step.target.cases = cases;
@@ -65,6 +69,7 @@ protected:
     double J_of_load = 1.0;
     std::function<double(double)> mouth_of_load;  // mm; absent: the load
     double moment = 1.0;                          // cycles
+    std::optional<double> moved_to;               // mm, the boundary, by what is no displacement controlled
 };
 
 TEST_F(CycleMeterTest, EveryKHoldsThatOfTheInitialStress) {
@@ -398,6 +403,21 @@ TEST_F(CycleMeterTest, ALoadCaseOpensATipThoughADisplacementIsControlled) {
     EXPECT_EQ(cycle.K_max, 200.0);
     EXPECT_EQ(cycle.opening.K_op, 5.0);
     EXPECT_EQ(cycle.opening.K_cl, -35.0);
+}
+
+// It was taken to rise from zero to the first target, and what flowed back was in the zone of loading.
+TEST_F(CycleMeterTest, AControlledDisplacementFallsFromWhereOtherLoadsHaveMovedTheBoundary) {
+    input.load.control = Control::Displacement;
+    meter = CycleMeter(input, closure, tips);
+    moved_to = 2.0;
+    go(0, 0.0, 1.0, false);
+    moved_to.reset();
+    go(1, 1.0, 1.0, false);
+    go(1, -1.0, 1.0, false);
+    go(1, 0.0, 1.0, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.cyclic, 0.01);
+    EXPECT_EQ(cycle.forward, 0.0);
 }
 
 // Nobody looks for contact on the ramp: what is open at its end has been so from where it was open first.

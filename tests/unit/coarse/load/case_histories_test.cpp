@@ -99,6 +99,38 @@ TEST(CaseHistories, UnderAControlledDisplacementALegGoesBetweenLoads) {
     EXPECT_EQ(loads.leg_that_begins(unit)->course, -20.0);
 }
 
+/// The body under the dead load stands at `there`. With ends of half cycles.
+std::vector<std::pair<double, bool>> controlled(const std::vector<LoadBlock>& blocks, double there) {
+    Case input = cycles(4, blocks);
+    input.load.control = Control::Displacement;
+    input.load_cases = {test::dead_load("dead", 3.0)};
+    LoadController loads = controller(input);
+    std::vector<std::pair<double, bool>> stops;
+    while (const std::optional<LoadStep> step = loads.next()) {
+        EXPECT_EQ(step->target.control, stops.size() < 2 ? Control::Load : Control::Displacement);
+        EXPECT_EQ(loads.reached_target().control, step->target.control);
+        stops.emplace_back(step->target.value, step->reversal);
+        loads.accepted();
+        loads.stands_at(stops.size() < 2 ? 0.5 * there : stops.size() == 2 ? there : step->target.value);
+    }
+    stops.erase(stops.begin(), stops.begin() + 2);
+    return stops;
+}
+
+// A controlled displacement goes on from where the dead load has left the boundary, up or down. It turns there or not.
+TEST(CaseHistories, TheFirstLegOfADisplacementBeginsWhereADeadLoadHasMovedIt) {
+    using Stops = std::vector<std::pair<double, bool>>;
+    EXPECT_EQ(controlled({{1, 10.0, -10.0}}, 4.0),
+              (Stops{{7, false}, {10, true}, {0, false}, {-10, true}, {0, false}, {10, true}}));
+    EXPECT_EQ(controlled({{1, 10.0, -10.0}}, 12.0),
+              (Stops{{11, false}, {10, false}, {0, false}, {-10, true}, {0, false}, {10, true}}));
+    EXPECT_EQ(controlled({{1, -2.0, -10.0}}, -12.0),
+              (Stops{{-7, false}, {-2, true}, {-6, false}, {-10, true}, {-6, false}, {-2, true}}));
+    EXPECT_EQ(controlled({{0, 0.0, 0.0}, {0, 10.0, 0.0}}, 4.0), (Stops{{2, false}, {0, true}, {5, false}, {10, true}}));
+    EXPECT_EQ(controlled({{0, 0.0, 0.0}}, 4.0), (Stops{{2, false}, {0, true}}));
+    EXPECT_EQ(controlled({{1, 10.0, -10.0}}, 10.0 - 1e-12).at(0).first, 10.0) << "what rounding is apart is no way";
+}
+
 TEST(CaseHistories, HalvingTakesAllLoadsHalfWay) {
     Case input = cycles(2, {{1, 10.0, 0.0}});
     input.load_cases = {test::dead_load("dead", 3.0)};

@@ -11,6 +11,7 @@
 #include "common/error.hpp"
 #include "common/geometry/vec2.hpp"
 #include "coupling/transport/wire.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -21,7 +22,7 @@ using test::TemporaryFolder;
 
 Checkpoint some_checkpoint() {
     Checkpoint checkpoint;
-    checkpoint.mark = {"young = 1.0\n", {{.cycles = 3, .max = 50.0, .min = -50.0}}, 0.1, 2, true, 1ULL << 63U};
+    checkpoint.mark = {"young = 1.0\n", {{.cycles = 3, .max = 50.0, .min = -50.0}}, 0.1, 2, 1, 1ULL << 63U};
     AnalysisState& state = checkpoint.analysis;
     state.load.cases = Eigen::Vector2d(0.25, -0.0);
     state.cracks = {{{0.0, 20.25}, {100.0, 1.0 / 3.0}}};
@@ -97,7 +98,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
     const Checkpoint out = read_checkpoint(folder / "checkpoint.h5");
     EXPECT_EQ(out.mark.text, in.mark.text);
     EXPECT_EQ(out.mark.blocks, in.mark.blocks);
-    EXPECT_EQ(out.mark.leads, in.mark.leads);
+    EXPECT_EQ(out.mark.legs_before, in.mark.legs_before);
     EXPECT_EQ(out.mark.mesh, in.mark.mesh);
     EXPECT_EQ(out.analysis.load.cases, in.analysis.load.cases);
     EXPECT_EQ(out.analysis.load.taken.at(0).cases_to, in.analysis.load.taken[0].cases_to);
@@ -249,6 +250,27 @@ TEST_F(SameCase, IsNamedWhereItDiffers) {
     EXPECT_NE(against({"load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"}).find("in cycle 2"), std::string::npos);
     EXPECT_NE(against({"load.blocks=[{cycles=2, max=51.0, ratio=-1.0}]"}).find("in cycle 0"), std::string::npos);
     EXPECT_NE(against({"load.scale=2.0"}).find("in cycle 0"), std::string::npos);
+}
+
+// The way from where dead loads have moved the boundary has another end.
+TEST_F(SameCase, BeginsWithTheSameDisplacementBesideADeadLoad) {
+    const auto begins_with = [](double max) {
+        Scene scene = refined_scene(test::sent_case({"mesh.size=10.0", "mesh.grading=[]"}));
+        scene.input.load.control = Control::Displacement;
+        scene.input.load.blocks = {{.cycles = 1, .max = max, .min = -1.0}};
+        scene.input.load_cases = {test::dead_load("dead", 1.0)};
+        return mark_of(scene);
+    };
+    LoadPosition reached;
+    const auto against_now = [&](double now) {
+        return complaint([&] { check_same_case(begins_with(0.0), begins_with(now), reached); });
+    };
+    EXPECT_EQ(against_now(2.0), fine) << "the dead load is on its way yet";
+    reached.leg = 1;
+    EXPECT_EQ(against_now(0.0), fine);
+    EXPECT_NE(against_now(2.0).find("in cycle 0"), std::string::npos);
+    reached.leg = 2;
+    EXPECT_EQ(against_now(0.0), fine);
 }
 
 // A mesh file may have moved, but not changed.
