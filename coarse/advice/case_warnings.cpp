@@ -79,7 +79,8 @@ std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<
 }
 
 /// The distance that nobody gives goes by the largest K, though it be that of one overload: the cycles before it have
-/// another K_op than in a run without it.
+/// another K_op than in a run without it. Where nothing yields at the tip it is zero by either K: there is none to
+/// give.
 std::vector<std::string> overload_warnings(const Scene& scene, const std::vector<double>& largest,
                                            const std::vector<double>& usual, const std::vector<double>& distance) {
     constexpr double much_smaller = 0.9;
@@ -88,7 +89,8 @@ std::vector<std::string> overload_warnings(const Scene& scene, const std::vector
     std::vector<std::string> all;
     const std::vector<Tip>& tips = scene.enriched.tips;
     for (std::size_t t = 0; t < tips.size(); ++t)
-        if (may_touch(scene.input.cracks[at(tips[t].crack)]) && usual[t] > 0.0 && usual[t] < much_smaller * largest[t])
+        if (may_touch(scene.input.cracks[at(tips[t].crack)]) && usual[t] > 0.0 &&
+            usual[t] < much_smaller * largest[t] && distance[t] > 0.0)
             all.push_back(fmt::format(
                 "tip {}: closure is looked at {:.3g} mm behind it, which goes by the largest K of the history, {:.4g} "
                 "MPa sqrt(mm); by the usual {:.4g} it would be {:.2g} mm, and K_op is higher nearer to the tip: "

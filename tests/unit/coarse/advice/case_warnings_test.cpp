@@ -126,6 +126,9 @@ TEST(CaseWarnings, ADistanceThatGoesByAnOverloadIsSaid) {
     EXPECT_NE(all.find("600 MPa sqrt(mm); by the usual 300 it would be 0.028 mm"), std::string::npos) << all;
     input.closure.distance = 0.1;
     EXPECT_EQ(said({usual, overload, usual}), "");
+    input.closure.distance.reset();
+    input.material.yield_stress.reset();
+    EXPECT_EQ(said({usual, overload, usual}), "") << "zero by either K where nothing yields";
 }
 
 // A compliance wants a mouth, and increments of a tenth of the load range.
