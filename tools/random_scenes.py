@@ -3,12 +3,15 @@
 
     tools/random_scenes.py SEED COUNT [--programs build/release/bin] [--keep DIR] [--jobs 2]
 
-A scene is a coarse specimen with a random crack, material, friction, load, growth and refinement. It runs in one
-process, in one matrix and over MPI. Numbers of `history.csv` agree where they differ by less than 1e-8 of the largest
-of their column, or the three runs end alike with exit code 3 and a sentence. All three warn alike, and of nothing but
-what the scene explains. What the first one leaves is lawful, too:
-pressures push and shear stays in the cone of friction; faces of cracks that do not grow overlap by no more than the
-pressure strains an element; nothing gives dissipation back; and work balances. Exit code 1 where a scene does neither.
+A scene is a coarse specimen with a random crack, material, friction, load, growth and refinement. Half of them have
+besides a controlled displacement, a dead load, an initial stress or increments that the program chooses
+(random_loads.py). It runs in one process, in one matrix and over MPI. Numbers of `history.csv` agree where they differ
+by less than 1e-8 of the largest of their column (TOLD_FROM has those of closed cracks), or the three runs end alike
+with exit code 3 and a sentence. All three warn alike, and of nothing but what the scene explains. What the first one
+leaves is lawful, too: pressures push and shear stays in the cone of friction; faces of cracks that do not grow overlap
+by no more than the pressure strains an element; nothing gives dissipation back; a controlled displacement goes straight
+from where dead loads and an initial stress have moved the boundary to its first extreme; and work balances. Exit code 1
+where a scene does neither.
 
 How far work may be off follows from how it is counted (docs/equations.md). Where all is linear nothing but rounding is
 left. Between two steps of growth the work of the loads is a trapezoid per increment, of second order, and of first
@@ -28,8 +31,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from pathlib import Path
 
+import random_loads
 import random_trials
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -37,6 +42,10 @@ MODES = ["inprocess", "monolithic", "mpi"]
 SAME = 1e-8
 COLUMNS = [["load_factor"], ["load"], ["displacement"], ["a"], ["K_I", "K_II"], ["J"], ["CMOD"],
            ["external_work", "stored_energy", "dissipation", "released_energy"]]  # of one scale each
+# Of a crack that stays closed K, J and CMOD are rounding. They are told from these parts on: of what they would be if all
+# work went into the crack, in a body 10 mm wide, and of the displacement.
+TOLD_FROM = {"K_I": lambda work, moved: 1e-4 * (200e3 * work / 10.0) ** 0.5, "J": lambda work, moved: 1e-6 * work / 10.0,
+             "CMOD": lambda work, moved: 1e-6 * moved}
 # What a run may warn of, and what the scene then has.
 EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)|on = \"point\"",  # of a plate that a crack half parts, or beside a point
              r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
@@ -174,10 +183,16 @@ def numbers(folder):
     return {name: [float(row[name] or "nan") for row in rows] for names in COLUMNS for name in names}
 
 
+def largest(columns, name):
+    return max((abs(x) for x in columns[name] if x == x), default=0.0)
+
+
 def difference(one, other):
     worst, where = 0.0, ""
     for names in COLUMNS:
-        scale = max((abs(x) for name in names for x in one[name] if x == x), default=0.0)
+        scale = max(largest(one, name) for name in names)
+        if names[0] in TOLD_FROM:
+            scale = max(scale, TOLD_FROM[names[0]](largest(one, "external_work"), largest(one, "displacement")))
         for name in names:
             if len(one[name]) != len(other[name]):
                 return 1.0, "rows"
@@ -215,7 +230,10 @@ def splits_of(folder):
     return json.loads((folder / "summary.json").read_text())["mesh_splits"]
 
 
-def with_more_increments(text, times):
+def with_more_increments(text, times, rows):
+    """`rows`: of its run. Increments that the program has chosen are as many as in the cycle that has most."""
+    chosen = max(Counter(row["cycle"] for row in rows).values())
+    text = text.replace('\nsteps = "auto"', "\nsteps = %d" % (chosen + chosen % 2))
     return re.sub(r"steps = (\d+)", lambda found: "steps = %d" % (times * int(found[1])), text)
 
 
@@ -230,7 +248,7 @@ def broken_balance(programs, folder, text):
     if steady <= 0.01 or (steady <= 0.05 and splits_of(folder)):  # what is split gives up energy (docs/equations.md)
         return None
     finer = folder.parent / "finer.toml"
-    finer.write_text(with_more_increments(text, 4))
+    finer.write_text(with_more_increments(text, 4, increments_of(folder)))
     code, said, _ = run(programs, finer, folder.parent / "finer", "inprocess")
     if code != 0:
         return "work is off by %.1e, and with more increments: %s" % (steady, said)
@@ -274,7 +292,7 @@ def judge(arguments, seed):
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         case = folder / "case.toml"
-        text = scene(rng)
+        text = random_loads.with_more(scene(rng), seed)
         case.write_text(text)
         ends = {mode: run(arguments.programs, case, folder / mode, mode) for mode in MODES}
         codes = {code for code, _, _ in ends.values()}
@@ -285,7 +303,7 @@ def judge(arguments, seed):
             verdict = "agrees" if worst < SAME else "DIFFERS", "%.1e of %s" % (worst, where)
             if worst < SAME:
                 first = folder / MODES[0]
-                broken = unlawful(first, text) or broken_balance(arguments.programs, first, text)
+                broken = unlawful(first, text) or random_loads.strays_at_first(first, text) or broken_balance(arguments.programs, first, text)
                 verdict = ("IS UNLAWFUL", broken) if broken else verdict
         elif codes in ({2}, {3}):  # 2: no legal case, and a sentence says so
             verdict = "ends with %d" % codes.pop(), ends[MODES[0]][1]
