@@ -1,5 +1,6 @@
 #include "coarse/analysis/K_at_extremes.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "coarse/growth/crack_advance.hpp"
@@ -12,9 +13,12 @@ bool is_of_one_load(const CrackedBody& body, const ReachedExtremes& reached) {
     return reached.maximum.cases.size() == 0 && !body.scene().initial_stress().any();
 }
 
-/// Where a load has gone at its maximum the one of the minimum is left.
+/// Where a load has gone at its maximum the one of the minimum is left. The load at a controlled displacement of zero
+/// is found, and has gone but for rounding.
 double sign_of_load(const ReachedExtremes& reached) {
-    const double factor = reached.maximum.main != 0.0 ? reached.maximum.main : reached.minimum.main;
+    constexpr double rounding = 1e-9;
+    const bool is_loaded = std::abs(reached.maximum.main) > rounding * std::abs(reached.minimum.main);
+    const double factor = is_loaded ? reached.maximum.main : reached.minimum.main;
     return factor < 0.0 ? -1.0 : 1.0;
 }
 

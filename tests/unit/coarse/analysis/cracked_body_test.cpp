@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "coarse/analysis/K_at_extremes.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "tests/support/pulled_plate.hpp"
@@ -136,6 +137,19 @@ TEST_F(CrackedBodyOf, AStateGoesOnFromWhereItWasWritten) {
     resumed.write(rewritten);
     EXPECT_EQ(rewritten.unit_displacement.mean, state.unit_displacement.mean);
     EXPECT_EQ(rewritten.still_of_nominal, state.still_of_nominal);
+}
+
+// A load that is found to hold a displacement of zero is rounding of either sign: it turned the tips or did not.
+TEST_F(CrackedBodyOf, ALoadThatHasGoneAtItsMaximumTurnsAsThatOfTheMinimum) {
+    const Scene scene = refined_scene(pulled(false));
+    const CrackedBody body(scene, effort, silent, nullptr);
+    const auto K_I_beside = [&](double maximum, double minimum) {
+        return K_at_maximum(body, {{maximum, {}}, {minimum, {}}, {}}).at(0).K_I;
+    };
+    const double unit = body.nominal().at(0).K_I;
+    for (const double gone : {0.0, 3e-13, -3e-13}) EXPECT_EQ(K_I_beside(gone, -50.0), -unit) << gone;
+    EXPECT_EQ(K_I_beside(1e-3, -50.0), unit);
+    EXPECT_EQ(K_I_beside(3e-13, -3e-13), unit);
 }
 
 }  // namespace
