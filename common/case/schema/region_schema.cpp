@@ -146,12 +146,12 @@ StressGrid read_stress_grid(const std::filesystem::path& path) {
         throw CaseError(fmt::format("{}:{}: initial_stress.file: {}", path.string(), table.lines[row], what));
     };
     if (table.columns.empty()) throw CaseError(fmt::format("{}: initial_stress.file: cannot be read", path.string()));
-    if (!table.repeated.empty())
-        throw CaseError(
-            fmt::format("{}:1: initial_stress.file: column {} is given twice", path.string(), table.repeated));
+    const auto reject_names = [&](const std::string& what) {
+        throw CaseError(fmt::format("{}:{}: initial_stress.file: {}", path.string(), table.names_line, what));
+    };
+    if (!table.repeated.empty()) reject_names(fmt::format("column {} is given twice", table.repeated));
     for (const char* name : {"x", "y", "sxx", "syy", "sxy"})
-        if (!table.columns.contains(name))
-            throw CaseError(fmt::format("{}:1: initial_stress.file: has no column {}", path.string(), name));
+        if (!table.columns.contains(name)) reject_names(fmt::format("has no column {}", name));
     if (table.cut_off) complain(table.rows, "has not as many cells as the line of names");
     std::map<std::pair<double, double>, std::array<double, 3>> nodes;  // by y, then x
     std::set<double> columns, rows;

@@ -96,7 +96,7 @@ TEST_F(GridFile, WhatIsNoGridIsRefusedWithItsLine) {
     EXPECT_EQ(complaint(head + "0,0,1,1,nought\n"), ":2: initial_stress.file: must be numbers");
     EXPECT_EQ(complaint(head + "0,0,1,1,1\n0,0,1,1,1\n"), ":3: initial_stress.file: repeats a node");
     EXPECT_EQ(complaint(head + "0,0,1,1,1\n\n\n0,0,1,1,1\n"), ":5: initial_stress.file: repeats a node");
-    EXPECT_EQ(complaint("x,y,sxx,syy,sxy,x\n0,0,1,1,1,3\n"), ":1: initial_stress.file: column x is given twice");
+    EXPECT_EQ(complaint("\nx,y,sxx,syy,sxy,x\n0,0,1,1,1,3\n"), ":2: initial_stress.file: column x is given twice");
     EXPECT_EQ(complaint(head + "0,0,1,1,1\n1,0,1,1,1\n0,1,1,1,1\n"),
               ": initial_stress.file: 3 nodes are no grid of 2 columns and 2 rows");
     EXPECT_THROW(read_stress_grid(folder_ / "missing.csv"), CaseError);
