@@ -4,15 +4,14 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "app/charts/chart.hpp"
 #include "app/material/cyclic_test.hpp"
 #include "app/process/exit_code.hpp"
+#include "app/process/writable_folder.hpp"
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/csv.hpp"
-#include "common/io/file_failure.hpp"
 #include "common/io/whole_file.hpp"
 
 namespace stria::material {
@@ -27,10 +26,7 @@ fs::path claimed_folder(const RunOptions& options, const Case& input) {
     if (!options.force && fs::exists(folder / "loop.csv"))
         throw CaseError(
             fmt::format("{} holds a material test; --force overwrites it, -o DIR writes elsewhere", folder.string()));
-    std::error_code problem;
-    fs::create_directories(folder, problem);
-    if (!fs::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
-        throw FileFailure(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));
+    make_writable_folder(folder);
     return folder;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/process/children.hpp"
 #include "app/process/told_exit.hpp"
+#include "app/process/writable_folder.hpp"
 #include "app/results/run_files.hpp"
 #include "app/run/run_lock.hpp"
 #include "coarse/results/result_files.hpp"
@@ -128,7 +129,6 @@ void claim_output_directory(RunOptions& options) {
     if (options.output_directory.empty())
         options.output_directory = "runs/" + read_case(options.case_path, options.overrides).name;
     const std::filesystem::path folder = options.output_directory;
-    std::error_code problem;
     if (options.resume && !coarse::has_checkpoint(folder) && is_done(folder))
         throw CaseError(fmt::format("{} holds a run that left no checkpoint to go on from", folder.string()));
     if (!options.force && !options.resume && coarse::has_results(folder))
@@ -143,9 +143,7 @@ void claim_output_directory(RunOptions& options) {
         const RunLock lock(folder);
         remove_study(folder);
     }
-    std::filesystem::create_directories(folder, problem);
-    if (!std::filesystem::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
-        throw FileFailure(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));
+    make_writable_folder(folder);
 }
 
 RunParts parts_of(const RunOptions& options, bool with_fine) {

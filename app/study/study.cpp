@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "app/process/exit_code.hpp"
 #include "app/process/version.hpp"
+#include "app/process/writable_folder.hpp"
 #include "app/results/run_files.hpp"
 #include "app/run/run_lock.hpp"
 #include "app/study/commands.hpp"
@@ -16,7 +16,6 @@
 #include "coarse/results/result_files.hpp"
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
-#include "common/io/file_failure.hpp"
 #include "common/io/whole_file.hpp"
 
 namespace stria::study {
@@ -37,10 +36,7 @@ void claim_folder(StudyOptions& options) {
         throw CaseError(fmt::format("{} holds a run, and the table of a study is no part of it; -o DIR writes "
                                     "elsewhere, --force takes the run's files away",
                                     folder));
-    std::error_code problem;
-    std::filesystem::create_directories(folder, problem);
-    if (!std::filesystem::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
-        throw FileFailure(fmt::format("{}: the folder of the study cannot be made or written to", folder));
+    make_writable_folder(folder);
     options.run.force = true;  // the variants' folders are ours now
 }
 

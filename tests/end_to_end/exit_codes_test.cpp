@@ -60,7 +60,7 @@ TEST_F(ExitCode, NamesAFolderThatCannotBeMade) {
     std::ofstream(folder / "file") << "no folder";
     output = folder / "file/out";
     EXPECT_EQ(run({"--mode", "inprocess"}), 5) << said();
-    EXPECT_TRUE(says("file/out: the folder of results cannot be made or written to")) << said();
+    EXPECT_TRUE(says("file/out: the folder cannot be made: Not a directory")) << said();
 }
 
 // One that was copied away from its components, which follow one by one.
