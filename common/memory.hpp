@@ -8,6 +8,8 @@ namespace stria {
 /// Measured: an element with its unknowns and their factor, a point of the zone with its history and gradients, a cycle
 /// with the turns of its load.
 constexpr double bytes_of_element = 4000.0, bytes_of_point = 1500.0, bytes_of_cycle = 200.0;
+/// The program itself, and what of its freed memory it keeps (keep_freed_memory()).
+constexpr double bytes_of_program = 60e6;
 
 /// Bytes that this process may still take: what the machine has left, or less where a limit is set (ulimit -v).
 double available_memory();

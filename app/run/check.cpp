@@ -158,13 +158,13 @@ void print_way(const coarse::Scene& scene, const coarse::NominalSolution& nomina
     fmt::print("# growth: at most {:.4g} mm in {} cycles; after it about {} elements, {} of them split, {:.0f} points, "
                "{:.0f} MB\n",
                way, cycles, after.all, after.split, points,
-               1e-6 * (after.all * bytes_of_element + points * bytes_of_point));
+               1e-6 * (bytes_of_program + after.all * bytes_of_element + points * bytes_of_point));
 }
 
 /// Before it is solved: who waits for it knows for what.
 void print_estimate_of_body(const char* which, const coarse::Scene& scene) {
     fmt::print("# estimate of the elastic body{}: about {:.2g} s of a processor and {:.2g} MB\n", which,
-               coarse::seconds_of_body(scene), 1e-6 * coarse::bytes_of_body(scene));
+               coarse::seconds_of_body(scene), 1e-6 * (bytes_of_program + coarse::bytes_of_body(scene)));
     std::fflush(stdout);
 }
 

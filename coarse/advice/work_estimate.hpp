@@ -19,9 +19,9 @@ struct WorkEstimate {
     double bytes = 0.0;
 };
 
-/// Measured figures, to a factor of two where they were made and of about three elsewhere; increments that have to be
-/// halved come on top. Of long histories the
-/// first half cycles count, and the largest one. `K`: the largest of the history, one per tip, MPa sqrt(mm).
+/// Measured figures (bench/error_of_estimate.py), to a factor of two where they were made and of about three elsewhere;
+/// increments that have to be halved come on top. Of long histories the first half cycles count, and the largest one.
+/// `K`: the largest of the history, one per tip, MPa sqrt(mm).
 /// `nominal`: of the whole body. `increment`: of growth, mm.
 [[nodiscard]] WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K,
                                          double increment);
