@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "common/case/case_questions.hpp"
 #include "common/case/loads/load_increments.hpp"
 #include "common/index.hpp"
 
@@ -46,11 +47,12 @@ CaseHistories::CaseHistories(const Case& input)
       cycles_(cycle_count(input.load)), legs_(stria::coarse::legs(input.load)) {
     for (const LoadCaseSection& load_case : cases_) ends_of_blocks_.push_back(ends_of(load_case.blocks));
     const bool dead = std::ranges::any_of(cases_, [](const auto& c) { return c.constant.has_value(); });
-    if (!dead && travelling_ == 0) return;
-    // To a first displacement of zero there is a way from where they have moved the boundary.
-    if (input.load.control == Control::Displacement && (legs_.empty() || input.load.blocks.front().max == 0.0))
+    const bool leads = dead || travelling_ > 0;
+    // To a first displacement of zero there is a way from where these, or an initial stress, have moved the boundary.
+    if (input.load.control == Control::Displacement && (leads || has_initial_stress(input)) &&
+        (legs_.empty() || input.load.blocks.front().max == 0.0))
         put_first({.cycle = 0, .from = 0.0, .to = 0.0, .at_maximum = true, .reversal = true});
-    put_first({.cycle = 0, .from = 0.0, .to = 0.0, .leads = true});
+    if (leads) put_first({.cycle = 0, .from = 0.0, .to = 0.0, .leads = true});
 }
 
 void CaseHistories::put_first(const Leg& leg) {

@@ -34,8 +34,8 @@ public:
     [[nodiscard]] std::size_t load_cases() const { return cases_.size(); }
 
     /// The main history behind the leg in which dead loads and pressures that travel come on, if there are any. Where
-    /// displacements are controlled and the first one is zero a leg from where these have moved the boundary is
-    /// between.
+    /// displacements are controlled and the first one is zero a leg from where these, or an initial stress, have moved
+    /// the boundary comes before it.
     [[nodiscard]] const std::vector<Leg>& legs() const { return legs_; }
     /// Of them, those that are no legs of the main history alone (load_history.hpp).
     [[nodiscard]] std::size_t legs_before_history() const { return put_first_; }

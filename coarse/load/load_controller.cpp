@@ -32,7 +32,7 @@ IncrementSchedule schedule_of(const LoadSection& load, const CaseHistories& case
 
 LoadController::LoadController(const LoadSection& load, const SolverSection& solver, CaseHistories cases)
     : control_(load.control == Control::Displacement ? Control::Displacement : Control::Load), cases_(std::move(cases)),
-      legs_(cases_.count() > 0 ? cases_.legs() : legs(load)), schedule_(schedule_of(load, cases_)),
+      legs_(cases_.legs().empty() ? legs(load) : cases_.legs()), schedule_(schedule_of(load, cases_)),
       remembered_(remembered_increments(load.steps)), max_cuts_(solver.max_cuts) {
     position_.cases = Eigen::VectorXd::Zero(cases_.count());
 }

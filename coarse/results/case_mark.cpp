@@ -108,8 +108,9 @@ CaseMark mark_of(const Scene& scene) {
 
 void check_same_case(const CaseMark& then, const CaseMark& now, const LoadPosition& reached) {
     compare_texts(then.text, now.text);
-    // Dead loads may be on their way yet, or the first displacement, zero, behind them.
-    if (reached.leg > 0 && then.legs_before != now.legs_before) refuse_history(0);
+    // A first displacement of zero has a leg of its own. While dead loads come on it may yet become another one.
+    const std::size_t of_dead_loads = std::min(then.legs_before, now.legs_before);
+    if (reached.leg >= of_dead_loads && then.legs_before != now.legs_before) refuse_history(0);
     if (reached.leg >= then.legs_before) compare_histories(then, now, reached.leg - then.legs_before);
     if (then.mesh != now.mesh)
         refuse("the mesh is another one than where the checkpoint was written (it is refined along the way that the "

@@ -15,7 +15,7 @@ struct CaseMark {
     std::vector<LoadBlock> blocks;  // of the load history, which may change where the load has not been yet
     double scale = 1.0;
     int repeat = 1;
-    std::size_t legs_before = 0;  // those of the blocks: dead loads come on (CaseHistories::legs_before_history)
+    std::size_t legs_before = 0;  // those of the blocks (CaseHistories::legs_before_history)
     std::uint64_t mesh = 0;       // digest of its nodes, elements, materials and boundaries
 };
 

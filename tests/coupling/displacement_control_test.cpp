@@ -246,9 +246,13 @@ TEST(ElasticDisplacementControl, GoesBackFromADeadLoadWhereThatIsAsked) {
     }
 }
 
+Case with_initial_stress() {
+    return small_sent({"initial_stress={sigma_y={at=[0.0,25.0,50.0], stress=[200.0,-200.0,200.0]}}"});
+}
+
 // An initial stress moves it as well. Without load the boundary stands at `settled`.
 TEST(ElasticDisplacementControl, GoesOnFromWhereAnInitialStressHasMovedTheBoundary) {
-    Case input = small_sent({"initial_stress={sigma_y={at=[0.0,25.0,50.0], stress=[200.0,-200.0,200.0]}}"});
+    Case input = with_initial_stress();
     const double settled = run_elastic(input).increments[0].machine.displacement;
     ASSERT_GT(settled, 0.0);
     input.load.control = Control::Displacement;
@@ -258,6 +262,25 @@ TEST(ElasticDisplacementControl, GoesOnFromWhereAnInitialStressHasMovedTheBounda
     for (std::size_t k = 1; k <= half_cycle; ++k)
         EXPECT_GT(run.increments[k].load_factor, run.increments[k - 1].load_factor);
     EXPECT_NEAR(run.increments.back().machine.displacement, 1.5 * settled, 1e-12);
+}
+
+// The first maximum was passed over: the boundary went to the minimum at once, a half cycle later in the history.
+TEST(ElasticDisplacementControl, GoesBackFromAnInitialStressToADisplacementOfZero) {
+    Case input = with_initial_stress();
+    input.load.control = Control::Displacement;
+    input.load.blocks = {{.cycles = 1, .max = 0.0, .min = -0.02}};
+    const RunHistory run = run_elastic(input);
+    ASSERT_EQ(run.increments.size(), 1 + 3 * half_cycle);
+    const double settled = run.increments[0].machine.displacement;
+    ASSERT_GT(settled, 0.0);
+    EXPECT_NEAR(run.increments[1].machine.displacement, 0.75 * settled, 1e-12);
+    const Followed &maximum = run.increments[half_cycle], &minimum = run.increments[2 * half_cycle];
+    EXPECT_NEAR(maximum.machine.displacement, 0.0, 1e-12);
+    EXPECT_TRUE(maximum.step.at_maximum);
+    EXPECT_FALSE(maximum.step.reversal) << "it goes on in the same direction";
+    EXPECT_EQ(maximum.step.cycle, 0);
+    EXPECT_NEAR(minimum.machine.displacement, -0.02, 1e-12);
+    EXPECT_EQ(minimum.step.cycle, 1);
 }
 
 // A dead load in proportion to the main one is part of one load, the same plate's under load control.

@@ -136,6 +136,13 @@ const StoppedRun displaced_beside{
      "{on='bottom', displacement=[0.0,0.0]}]"},
     4};
 
+/// Likewise on the way from where an initial stress has moved the boundary to a first displacement of zero.
+const StoppedRun displaced_by_stress{"DisplacedByAnInitialStress",
+                                     {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=8", "solver.tolerance=1e-12",
+                                      "load.control=displacement", "load.blocks=[{cycles=1, max=0.0, min=-0.02}]",
+                                      "initial_stress={sigma_y={at=[0.0,25.0,50.0], stress=[100.0,-100.0,100.0]}}"},
+                                     3};
+
 /// No zone at all.
 const StoppedRun elastic{"Elastic",
                          {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4",
@@ -336,8 +343,8 @@ TEST(ResumedCrack, HasTheLargestKOfItsLength) {
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
                          testing::Values(still, again, sliding, sliding_growing, extended, growing, slotted, small,
-                                         within, followed, halved, displaced, displaced_beside, elastic, layered,
-                                         loaded, lengthened),
+                                         within, followed, halved, displaced, displaced_beside, displaced_by_stress,
+                                         elastic, layered, loaded, lengthened),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};
@@ -348,7 +355,8 @@ TEST_P(ResumeInOneMatrix, IsTheSameToRounding) { expect_same_to_rounding(1, 0); 
 
 TEST_P(ResumeInOneMatrix, OutOfItIsTheSameToRounding) { expect_same_to_rounding(0, 1); }
 
-INSTANTIATE_TEST_SUITE_P(Scene, ResumeInOneMatrix, testing::Values(small), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeInOneMatrix, testing::Values(small, displaced_by_stress),
+                         testing::PrintToStringParamName());
 
 class ResumeSharedZone : public Resume {};
 

@@ -131,6 +131,30 @@ TEST(CaseHistories, TheFirstLegOfADisplacementBeginsWhereADeadLoadHasMovedIt) {
     EXPECT_EQ(controlled({{1, 10.0, -10.0}}, 10.0 - 1e-12).at(0).first, 10.0) << "what rounding is apart is no way";
 }
 
+// So does an initial stress: a first maximum of zero is gone to from there. It was left out, and the boundary went
+// straight to the minimum.
+TEST(CaseHistories, ADisplacementOfZeroIsGoneToBesideAnInitialStress) {
+    const auto extremes = [](const std::vector<LoadBlock>& blocks, bool is_stressed, Control control) {
+        Case input = cycles(4, blocks);
+        input.load.control = control;
+        if (is_stressed) input.regions.emplace_back().initial_stress.emplace();
+        std::vector<std::pair<int, double>> ends;
+        for (LoadController loads = controller(input); loads.next(); loads.accepted()) {
+            const LoadStep step = *loads.next();
+            if (step.at_maximum || step.at_minimum) ends.emplace_back(step.cycle, step.target.value);
+        }
+        return ends;
+    };
+    using Ends = std::vector<std::pair<int, double>>;
+    const std::vector<LoadBlock> down{{1, 0.0, -8.0}}, up{{0, 0.0, 0.0}, {0, 8.0, 0.0}};
+    EXPECT_EQ(extremes(down, true, Control::Displacement), (Ends{{0, 0.0}, {1, -8.0}, {1, 0.0}}));
+    EXPECT_EQ(extremes(up, true, Control::Displacement), (Ends{{0, 0.0}, {0, 8.0}}));
+    EXPECT_EQ(extremes({{0, 0.0, 0.0}}, true, Control::Displacement), (Ends{{0, 0.0}}));
+    EXPECT_EQ(extremes({{1, 4.0, -8.0}}, true, Control::Displacement), (Ends{{0, 4.0}, {1, -8.0}, {1, 4.0}}));
+    EXPECT_EQ(extremes(down, false, Control::Displacement), (Ends{{1, -8.0}, {1, 0.0}}));
+    EXPECT_EQ(extremes(down, true, Control::Load), (Ends{{1, -8.0}, {1, 0.0}})) << "no load is there already";
+}
+
 TEST(CaseHistories, HalvingTakesAllLoadsHalfWay) {
     Case input = cycles(2, {{1, 10.0, 0.0}});
     input.load_cases = {test::dead_load("dead", 3.0)};

@@ -273,6 +273,31 @@ TEST_F(SameCase, BeginsWithTheSameDisplacementBesideADeadLoad) {
     EXPECT_EQ(against_now(0.0), fine);
 }
 
+// So has the way from where an initial stress has, and nothing comes before it.
+TEST_F(SameCase, BeginsWithTheSameDisplacementBesideAnInitialStress) {
+    const auto begins_with = [](std::vector<LoadBlock> blocks) {
+        Scene scene = refined_scene(test::sent_case({"mesh.size=10.0", "mesh.grading=[]"}));
+        scene.input.load.control = Control::Displacement;
+        scene.input.load.blocks = std::move(blocks);
+        scene.input.initial_stress.emplace();
+        return mark_of(scene);
+    };
+    const auto against_now = [&](const std::vector<LoadBlock>& then, const std::vector<LoadBlock>& now,
+                                 std::size_t leg) {
+        LoadPosition reached;
+        reached.leg = leg;
+        return complaint([&] { check_same_case(begins_with(then), begins_with(now), reached); });
+    };
+    const std::vector<LoadBlock> from_zero{{0, 0.0, 0.0}, {0, 2.0, 0.0}}, at_once{{0, 2.0, 0.0}};
+    EXPECT_EQ(against_now(from_zero, from_zero, 0), fine);
+    EXPECT_EQ(against_now(from_zero, {{0, 0.0, 0.0}, {0, 3.0, 0.0}}, 0), fine) << "it is not there yet";
+    EXPECT_NE(against_now(from_zero, {{0, 0.0, 0.0}, {0, 3.0, 0.0}}, 1).find("in cycle 0"), std::string::npos);
+    for (const std::size_t leg : {0U, 1U}) {
+        EXPECT_NE(against_now(from_zero, at_once, leg).find("in cycle 0"), std::string::npos);
+        EXPECT_NE(against_now(at_once, from_zero, leg).find("in cycle 0"), std::string::npos);
+    }
+}
+
 // A mesh file may have moved, but not changed.
 TEST_F(SameCase, HasTheSameMesh) {
     Scene scene = refined_scene(test::sent_case({"mesh.size=10.0", "mesh.grading=[]"}));
