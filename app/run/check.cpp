@@ -70,10 +70,9 @@ struct LargestK {
 };
 
 LargestK at_largest_load(const coarse::Scene& scene, const coarse::UnitResponse& unit) {
-    const double largest = coarse::largest_value(scene.input.load);
-    return {coarse::load_factor_at(largest > 0.0 ? largest : coarse::smallest_value(scene.input.load), scene.input.load,
-                                   unit),
-            scene.initial_stress().any()};
+    const auto [largest, smallest] =
+        coarse::range_of_load(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
+    return {largest > 0.0 ? largest : smallest, scene.initial_stress().any()};
 }
 
 /// Takes four to five times what the scene's own body takes: not where that is much.

@@ -35,17 +35,13 @@ constexpr double bytes_for_rim = 20.0, seconds_for_rim = 25e-12;
 // Each of the first half cycles is looked at half way, where what travels is, and at its end.
 constexpr std::size_t most_legs = 4;
 
-double factor_of_value(const LoadSection& load, const UnitResponse& unit) {
-    if (load.control != Control::Displacement) return target_of_unit(load, unit.K_I, 0.0);
-    return 1.0 / unit.displacement.mean;
-}
-
-Eigen::VectorXd elastic(const NominalFields& fields, double factor, const Eigen::VectorXd& of_cases) {
-    Eigen::VectorXd u = factor * fields.unit;
-    if (fields.initial.size() > 0) u += fields.initial;
-    for (Eigen::Index k = 0; k < of_cases.size(); ++k)
-        if (of_cases[k] != 0.0) u += of_cases[k] * fields.of_cases[static_cast<std::size_t>(k)];
-    return u;
+/// A value on the way of a leg. Where a displacement is controlled the first one begins where the boundary stands.
+double value_on_way(const Case& input, const CaseHistories& histories, const UnitDisplacement& unit, std::size_t leg,
+                    double way) {
+    const Leg& there = histories.legs()[leg];
+    const bool is_first = leg == (histories.leads() ? 1U : 0U);
+    const bool is_moved = is_first && input.load.control == Control::Displacement;
+    return std::lerp(is_moved ? unit.beside(histories.at_start()) : there.from, there.to, way);
 }
 
 /// Where the elastic body would yield.
@@ -55,16 +51,19 @@ ElementSet yields(const NominalSolution& nominal) {
     const double limit = scene.materials.weakest_yield_stress();
     if (!std::isfinite(limit)) return found;
     const CaseHistories histories(scene.input);
-    const double of_value = factor_of_value(scene.input.load, unit_response(nominal));
+    const UnitResponse unit = unit_response(nominal);
+    const double scale = target_of_unit(scene.input.load, unit.K_I, 0.0);
+    const bool is_moved = scene.input.load.control == Control::Displacement;
     const std::vector<Leg>& legs = histories.legs();
     const auto look = [&](std::size_t leg, double way) {
         const int increment = std::max(1, static_cast<int>(way * scene.input.load.first_steps() / 2));
-        const double value = std::lerp(legs[leg].from, legs[leg].to, way);
+        const double value = value_on_way(scene.input, histories, unit.displacement, leg, way);
         const Eigen::VectorXd of_cases =
-            histories.at({.leg = leg, .way = way, .increment = increment, .share = 1.0, .scale = of_value});
-        for (const int element :
-             elements_beyond(limit, *nominal.structure, elastic(nominal.fields, of_value * value, of_cases)))
-            found.insert(element);
+            histories.at({.leg = leg, .way = way, .increment = increment, .share = 1.0, .scale = scale});
+        double factor = scale * value;
+        if (is_moved) factor = legs[leg].leads ? 0.0 : unit.displacement.load_factor_at(value, of_cases);
+        const Eigen::VectorXd u = nominal.structure->expand({}, {factor, of_cases}, 1.0);
+        for (const int element : elements_beyond(limit, *nominal.structure, u)) found.insert(element);
     };
     for (std::size_t leg = 0; leg < std::min(legs.size(), most_legs); ++leg)
         for (const double way : {0.5, 1.0}) look(leg, way);

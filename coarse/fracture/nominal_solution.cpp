@@ -12,11 +12,13 @@ Eigen::VectorXd near_displacement(const Structure& body, const LoadFactors& fact
 
 /// `unit`: at the load factor 1.
 NominalFields fields_of(const Structure& body, Eigen::VectorXd unit) {
+    const LinearReading& mean = body.loads().mean_displacement();
     NominalFields fields{.unit = std::move(unit),
                          .initial = {},
                          .of_cases = {},
-                         .mean_displacement = body.loads().mean_displacement().per_load_factor,
-                         .mean_of_cases = body.loads().mean_displacement().per_case};
+                         .mean_displacement = mean.per_load_factor,
+                         .mean_of_cases = mean.per_case,
+                         .mean_of_initial = mean.constant};
     if (body.scene().enriched.tips.empty()) return fields;
     for (Eigen::Index k = 0; k < std::ssize(body.loads().cases()); ++k)
         fields.of_cases.push_back(near_displacement(body, LoadFactors::of_one_case(k), 0.0));
@@ -102,7 +104,8 @@ UnitResponse unit_response(const Scene& scene, const std::vector<TipResult>& tip
 UnitDisplacement unit_displacement(const NominalFields& fields) {
     return {.mean = fields.mean_displacement,
             .largest = fields.unit.lpNorm<Eigen::Infinity>(),
-            .of_cases = {fields.mean_of_cases.begin(), fields.mean_of_cases.end()}};
+            .of_cases = {fields.mean_of_cases.begin(), fields.mean_of_cases.end()},
+            .initial = fields.mean_of_initial};
 }
 
 UnitResponse unit_response(const NominalSolution& nominal) {

@@ -18,6 +18,7 @@ struct NominalFields {
     std::vector<Eigen::VectorXd> of_cases;  // of each load case alone
     double mean_displacement = 0.0;         // of the loaded boundary, mm
     Eigen::VectorXd mean_of_cases;          // likewise, of each load case alone
+    double mean_of_initial = 0.0;           // likewise, of the initial stress alone
 };
 
 struct NominalSolution {

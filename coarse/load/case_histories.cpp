@@ -99,6 +99,17 @@ Eigen::VectorXd CaseHistories::at(const LoadPlace& place) const {
     return factors;
 }
 
+Eigen::VectorXd CaseHistories::at_start() const {
+    return leads() ? at({.leg = 0, .way = 1.0}) : Eigen::VectorXd::Zero(count());
+}
+
+Eigen::VectorXd CaseHistories::dead() const {
+    Eigen::VectorXd factors = Eigen::VectorXd::Zero(count());
+    for (std::size_t k = 0; k < cases_.size(); ++k)
+        if (is_dead(k)) factors[static_cast<Eigen::Index>(k)] = *cases_[k].constant;
+    return factors;
+}
+
 double CaseHistories::factor(std::size_t k, const LoadPlace& place) const {
     const LoadCaseSection& load_case = cases_[k];
     const bool leads = legs_[place.leg].leads;

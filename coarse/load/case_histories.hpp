@@ -56,6 +56,12 @@ public:
     [[nodiscard]] std::vector<double> at_equal_angles(int increments) const;
 
     [[nodiscard]] Eigen::VectorXd at(const LoadPlace& place) const;
+    /// As [load] begins: what has come on before.
+    [[nodiscard]] Eigen::VectorXd at_start() const;
+
+    [[nodiscard]] bool is_dead(std::size_t k) const { return k < cases_.size() && cases_[k].constant; }
+    /// Factors of dead loads alone.
+    [[nodiscard]] Eigen::VectorXd dead() const;
 
     /// Load cases with blocks have these factors where a leg ends: not where a history has ended and another goes on.
     [[nodiscard]] bool ends_leg_at(std::size_t leg, const Eigen::VectorXd& factors) const;

@@ -48,6 +48,21 @@ double largest_of_cases(const CaseHistories& cases, std::vector<double> K, doubl
     return cases.largest_sum(K, scale);
 }
 
+/// With K of load cases while the boundary is held: where one of them changes the load factor does, too. Dead ones do
+/// not change.
+UnitResponse while_held(const LoadSection& load, UnitResponse nominal, const CaseHistories& cases) {
+    if (load.control != Control::Displacement) return nominal;
+    const UnitDisplacement& moved = nominal.displacement;
+    const auto give_way = [&](std::vector<std::vector<double>>& of_cases, const std::vector<double>& of_load) {
+        for (std::size_t t = 0; t < of_cases.size(); ++t)
+            for (std::size_t k = 0; k < std::min(of_cases[t].size(), moved.of_cases.size()); ++k)
+                if (!cases.is_dead(k)) of_cases[t][k] -= value_at(of_load, t) * moved.of_cases[k] / moved.mean;
+    };
+    give_way(nominal.K_I_of_cases, nominal.K_I);
+    give_way(nominal.K_II_of_cases, nominal.K_II);
+    return nominal;
+}
+
 /// Of each tip at the two extremes of the history, with load cases at their largest.
 struct Extremes {
     Modes at_largest, at_smallest;
@@ -58,11 +73,11 @@ struct Extremes {
         return at_largest.friction.value_or(0.0) > 0.0 && least_K_I < -negligible * largest();
     }
 };
-std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& nominal, double grown,
+std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& free, double grown,
                                const CaseHistories& cases) {
-    const double scale = target_of_unit(load, nominal.K_I, grown);
-    const double largest = load_factor_at(largest_value(load), load, nominal, grown);
-    const double smallest = load_factor_at(smallest_value(load), load, nominal, grown);
+    const double scale = target_of_unit(load, free.K_I, grown);
+    const auto [largest, smallest] = range_of_load(load, free, grown, cases);
+    const UnitResponse nominal = while_held(load, free, cases);
     std::vector<Extremes> all;
     for (std::size_t t = 0; t < nominal.K_I.size(); ++t) {
         double added_I = value_at(nominal.K_initial, t), least_added_I = added_I, added_II = 0.0;
@@ -96,11 +111,26 @@ double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, d
     return std::exp(load.K_gradient * grown) / K_I.front();
 }
 
-double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown) {
+double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown,
+                      const CaseHistories& cases) {
     if (load.control != Control::Displacement) return value * target_of_unit(load, nominal.K_I, grown);
     if (std::abs(nominal.displacement.mean) <= 1e-9 * nominal.displacement.largest)
         throw CaseError("load.control: the loads do not move the loaded boundary along their direction, or have none");
-    return value / nominal.displacement.mean;
+    return nominal.displacement.load_factor_at(value, cases.dead());
+}
+
+LoadRange range_of_load(const LoadSection& load, const UnitResponse& nominal, double grown,
+                        const CaseHistories& cases) {
+    const auto at = [&](double value) { return load_factor_at(value, load, nominal, grown, cases); };
+    if (load.control != Control::Displacement) return {at(largest_value(load)), at(smallest_value(load))};
+    LoadRange range{0.0, 0.0};
+    const auto take = [&](double value) {
+        range = {std::max(range.largest, at(value)), std::min(range.smallest, at(value))};
+    };
+    take(nominal.displacement.beside(cases.at_start()));
+    for (const LoadBlock& block : load.blocks)
+        for (const double value : {block.max, block.min}) take(load.scale * value);
+    return range;
 }
 
 std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown,
@@ -118,6 +148,12 @@ LoadSection graded_load(const Case& input, const UnitResponse& nominal) {
 }
 
 namespace {
+
+/// The value of the history at which [load] is none.
+double without_load(const Case& input, const UnitResponse& nominal) {
+    const bool is_moved = input.load.control == Control::Displacement;
+    return is_moved ? nominal.displacement.beside(CaseHistories(input).dead()) : 0.0;
+}
 
 /// Of each tip: largest_K, and that of K_I alone.
 struct LargestK {
@@ -158,9 +194,13 @@ std::vector<double> least_K_I(const Case& input, const UnitResponse& nominal) {
 
 std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal, double grown, int passed) {
     if (!input.growth) return largest_K_I(input, nominal, grown);
-    const LoadSection ahead = cycles_ahead(input.load, passed);
+    LoadSection ahead = cycles_ahead(input.load, passed);
+    const double start = without_load(input, nominal);
+    for (LoadBlock& block : ahead.blocks)
+        for (double* value : {&block.max, &block.min}) *value -= start / ahead.scale;
+    const double most = (median_maximum(ahead, exponent_of_K(*input.growth)) + start) / ahead.scale;
     Case common = input;
-    common.load.blocks = {{.max = median_maximum(ahead, exponent_of_K(*input.growth)) / input.load.scale}};
+    common.load.blocks = {{.max = most, .min = most}};
     return largest_K_I(common, nominal, grown);
 }
 

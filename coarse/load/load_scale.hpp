@@ -15,12 +15,18 @@ struct UnitDisplacement {
     double mean = 0.0;                  // of the loaded boundary along its direction
     double largest = 0.0;               // largest magnitude of a component
     std::vector<double> of_cases = {};  // as `mean`, of each load case alone at its factor 1
+    double initial = 0.0;               // likewise, of the initial stress alone
 
-    /// The load factor with which it comes to a mean displacement, mm, beside load cases.
-    [[nodiscard]] double load_factor_at(double displacement, const Eigen::VectorXd& cases) const {
+    /// Where the boundary stands without [load], mm: an initial stress and load cases have moved it.
+    [[nodiscard]] double beside(const Eigen::VectorXd& cases) const {
+        double displacement = initial;
         for (Eigen::Index k = 0; k < std::min(cases.size(), std::ssize(of_cases)); ++k)
-            displacement -= cases[k] * of_cases[static_cast<std::size_t>(k)];
-        return displacement / mean;
+            displacement += cases[k] * of_cases[static_cast<std::size_t>(k)];
+        return displacement;
+    }
+    /// The load factor with which it comes to a mean displacement, mm, beside these.
+    [[nodiscard]] double load_factor_at(double displacement, const Eigen::VectorXd& cases) const {
+        return (displacement - beside(cases)) / mean;
     }
 };
 
@@ -39,16 +45,26 @@ struct UnitResponse {
 /// nominal body, one per tip. Throws CaseError where the load does not open the first tip.
 double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, double grown);
 
-/// The load factor at a value of the history. Where displacements are controlled it is that of the nominal body; a body
-/// that yields bears less. Throws CaseError where the loads do not move what is controlled.
-double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
+/// The load factor at a value of the history, beside dead loads. Where displacements are controlled it is that of the
+/// nominal body; a body that yields bears less. Throws CaseError where the loads do not move what is controlled.
+double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
+                      const CaseHistories& cases = {});
+
+/// Likewise the largest one of the history, not below zero, and the smallest, not above: it begins without [load].
+/// Where displacements are controlled it begins where a pressure that travels has moved the boundary, too.
+struct LoadRange {
+    double largest, smallest;
+};
+LoadRange range_of_load(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
+                        const CaseHistories& cases = {});
 
 /// The K of eq. (3), MPa sqrt(mm), one per tip: sqrt(K_I^2 + 3 K_II^2) at the extreme of the history where it is
 /// larger, for a strip that yields in shear (Dugdale) is three times as long as one that yields in tension. Nominal,
 /// with K of the initial stress. Faces that touch under pressure leave no K_I, and friction takes mu |K_I| off
 /// |K_II|, as along a straight crack. With load cases no less than that: as if all were at their largest at once; of a
 /// pressure that travels K_II counts where it opens the crack, for elsewhere what faces without tractions would do says
-/// nothing.
+/// nothing. Where displacements are controlled a load case that changes takes from [load], or adds to it, what holds
+/// the boundary.
 std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
                               const CaseHistories& cases = {});
 

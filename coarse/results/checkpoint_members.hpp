@@ -200,10 +200,11 @@ void members(auto& archive, Is<ClosureMemory> auto& m) {
 }
 
 void members(auto& archive, Is<UnitDisplacement> auto& m) {
-    auto& [mean, largest, of_cases] = m;
+    auto& [mean, largest, of_cases, initial] = m;
     archive("mean", mean);
     archive("largest", largest);
     archive("of_cases", of_cases);
+    archive("initial", initial);
 }
 
 void members(auto& archive, Is<StillElements> auto& m) {

@@ -164,7 +164,8 @@ TEST(ElasticDisplacementControl, NeedsNoNewton) {
 }
 
 TEST(ElasticDisplacementControl, BesideADeadLoadHasTheLoadFactorOfTheNominalBody) {
-    Case input = small_sent({"load.blocks=[{cycles=1,max=0.1,min=0.05}]"});
+    Case input = small_sent({});
+    input.load.blocks = {{.cycles = 1, .max = 0.1, .min = 0.05}};
     input.material.yield_stress.reset();
     input.cracks[0].contact.reset();
     input.load.control = Control::Displacement;
@@ -198,10 +199,15 @@ Case beside_a_dead_load(const LoadBlock& block) {
 }
 
 /// Without flow and contact: no zone.
-RunHistory run_elastic(Case input) {
+Case elastic(Case input) {
     input.material.yield_stress.reset();
     input.cracks[0].contact.reset();
     input.fine.radius.reset();
+    return input;
+}
+
+RunHistory run_elastic(const Case& plastic) {
+    const Case input = elastic(plastic);
     coarse::CondensedFactory factory(nullptr, input);
     return run_analysis(input, factory);
 }
@@ -281,6 +287,31 @@ TEST(ElasticDisplacementControl, GoesBackFromAnInitialStressToADisplacementOfZer
     EXPECT_EQ(maximum.step.cycle, 0);
     EXPECT_NEAR(minimum.machine.displacement, -0.02, 1e-12);
     EXPECT_EQ(minimum.step.cycle, 1);
+}
+
+/// Nominal, of the increments of an elastic body.
+double largest_K_reached(const RunHistory& run) {
+    double largest = 0.0;
+    for (const Followed& increment : run.increments)
+        largest =
+            std::max(largest, K_I_under(increment.nominal[0], {increment.load_factor, increment.step.target.cases}));
+    return largest;
+}
+
+// The zone was that of K beyond the dead load's, as if [load] alone moved the boundary.
+TEST(ElasticDisplacementControl, EquationThreeHasTheLargestKThatIsReached) {
+    Case stressed = with_initial_stress();
+    stressed.load.control = Control::Displacement;
+    stressed.load.blocks = {{.cycles = 1, .max = 0.1, .min = -0.05}};
+    Case beside_both = beside_a_dead_load({.cycles = 1, .max = 0.2, .min = 0.05});
+    beside_both.initial_stress = stressed.initial_stress;
+    for (const Case& input : {beside_a_dead_load({.cycles = 1, .max = 0.16, .min = 0.02}),
+                              beside_a_dead_load({.cycles = 1, .max = 0.02, .min = -0.02}), stressed, beside_both}) {
+        const RunHistory run = run_elastic(input);
+        const coarse::UnitResponse unit = unit_response(coarse::solve_nominal(coarse::refined_scene(elastic(input))));
+        const double K = coarse::largest_K(input.load, unit, 0.0, coarse::CaseHistories(input)).at(0);
+        EXPECT_NEAR(K, largest_K_reached(run), 1e-4 * K);
+    }
 }
 
 // A dead load in proportion to the main one is part of one load, the same plate's under load control.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "coarse/specimen/specimen.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
@@ -67,6 +68,25 @@ TEST_F(Work, SeesWhatCompressionDoes) {
     const coarse::WorkEstimate pulled = between(400.0, 0.0), pushed = between(0.0, -400.0);
     EXPECT_GT(pushed.yielding, 0);
     EXPECT_EQ(pushed.yielding, pulled.yielding);
+}
+
+// 250 MPa, be 200 of them a dead load: the boundary was to go all of the way beyond that.
+TEST_F(Work, OfADisplacementBesideADeadLoadIsThatOfBoth) {
+    const coarse::WorkEstimate by_load = between(250.0, 0.0);
+    ASSERT_GT(by_load.yielding, 0);
+    const coarse::Scene scene = coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
+    const double moved = 250.0 * coarse::unit_response(coarse::solve_nominal(scene)).displacement.mean;
+    input.load.control = Control::Displacement;
+    for (const bool beside : {false, true}) {
+        if (beside) {
+            input.load_cases = {dead_load("dead", 200.0)};
+            input.boundaries.push_back(pulled_in_case("dead", "top", {0.0, 1.0}));
+            input.boundaries.push_back(pulled_in_case("dead", "bottom", {0.0, -1.0}));
+        }
+        const coarse::WorkEstimate by_displacement = between(moved, 0.9 * moved);
+        EXPECT_EQ(by_displacement.yielding, by_load.yielding) << beside;
+        EXPECT_EQ(by_displacement.points, by_load.points) << beside;
+    }
 }
 
 TEST_F(Work, GrowsWithTheHistory) {

@@ -81,7 +81,7 @@ TEST(CaseHistories, UnderAControlledDisplacementALegGoesBetweenLoads) {
     Case input = cycles(4, {{1, 10.0, -10.0}});
     input.load.control = Control::Displacement;
     input.load_cases = {test::dead_load("dead", 3.0)};
-    const UnitDisplacement unit{.mean = 0.5, .largest = 1.0, .of_cases = {0.2}};
+    UnitDisplacement unit{.mean = 0.5, .largest = 1.0, .of_cases = {0.2}};
     const auto ends_of_legs = [&](LoadController loads) {
         std::vector<Stop> ends;
         for (; loads.next(); loads.accepted())
@@ -97,6 +97,9 @@ TEST(CaseHistories, UnderAControlledDisplacementALegGoesBetweenLoads) {
     EXPECT_EQ(loads.leg_that_begins(unit)->course, 0.0);
     for (int k = 0; k < 4; ++k) loads.accepted();
     EXPECT_EQ(loads.leg_that_begins(unit)->course, -20.0);
+    unit.initial = 0.4;
+    EXPECT_NEAR(loads.leg_that_begins(unit)->from.main, 18.0, 1e-12);
+    EXPECT_NEAR(loads.leg_that_begins(unit)->to.main, -22.0, 1e-12);
 }
 
 /// The body under the dead load stands at `there`. With ends of half cycles.

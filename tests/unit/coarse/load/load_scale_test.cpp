@@ -162,6 +162,70 @@ TEST(LoadScale, OfDisplacementsIsThatOfTheNominalBody) {
     EXPECT_THROW(static_cast<void>(load_factor_at(200.0, load, {.displacement = {0.0, 0.6}})), CaseError);
 }
 
+/// 40 MPa sqrt(mm) per mm of the boundary, and 30 with 0.2 mm per unit of a load case.
+struct HeldBoundary {
+    Case input;
+    UnitResponse unit{.K_I = {20.0},
+                      .K_I_of_cases = {{30.0}},
+                      .K_II_of_cases = {{0.0}},
+                      .displacement = {.mean = 0.5, .largest = 1.0, .of_cases = {0.2}}};
+
+    explicit HeldBoundary(const LoadCaseSection& load_case) {
+        input.load.control = Control::Displacement;
+        input.load_cases = {load_case};
+    }
+    [[nodiscard]] double largest(double max, double min) {
+        input.load.blocks = {{.max = max, .min = min}};
+        return largest_K(input.load, unit, 0.0, CaseHistories(input)).front();
+    }
+    [[nodiscard]] double least(double max, double min) {
+        input.load.blocks = {{.max = max, .min = min}};
+        return least_K_I(input, unit).front();
+    }
+};
+
+// The zone was that of a load which moves the boundary all of the way, with the dead load besides: 170 in place of 146.
+TEST(LoadScale, ADisplacementIsPartlyThatOfADeadLoad) {
+    HeldBoundary held(test::dead_load("dead", 3.0));
+    EXPECT_DOUBLE_EQ(held.largest(2.0, 1.0), 40.0 * (2.0 - 0.6) + 90.0);
+    EXPECT_DOUBLE_EQ(range_of_load(held.input.load, held.unit, 0.0, CaseHistories(held.input)).largest, 2.8);
+    EXPECT_DOUBLE_EQ(held.largest(0.3, 0.1), 90.0) << "as the dead load has come on";
+    EXPECT_EQ(held.least(2.0, -1.0), 0.0) << "held open by the dead load";
+    EXPECT_DOUBLE_EQ(held.least(2.0, -2.0), 40.0 * (-2.0 - 0.6) + 90.0);
+    held.unit.displacement.initial = 0.1;
+    held.unit.K_initial = {5.0};
+    EXPECT_DOUBLE_EQ(held.largest(2.0, 1.0), 40.0 * (2.0 - 0.7) + 95.0);
+    EXPECT_DOUBLE_EQ(held.largest(0.3, 0.1), 95.0);
+}
+
+// What another load moves the boundary by meanwhile the load factor takes back: 30 - 8 per unit.
+TEST(LoadScale, AHeldBoundaryTakesBackWhatALoadCaseMovesIt) {
+    HeldBoundary held(test::own_load("own", {{.cycles = 1, .at_max = 1.0, .at_min = -1.0}}));
+    EXPECT_DOUBLE_EQ(held.largest(2.0, 1.0), 80.0 + 22.0);
+}
+
+// At its first position it has moved the boundary by 0.1 mm.
+TEST(LoadScale, AHeldBoundaryTakesBackWhatAPressureThatTravelsMovesIt) {
+    HeldBoundary held({});
+    held.input.load_cases.clear();
+    held.input.load.steps = 2;
+    held.input.boundaries.emplace_back().travelling.emplace();
+    held.unit.K_I_of_cases = {{4.0, 5.0, 6.0}};
+    held.unit.K_II_of_cases = {{0.0, 0.0, 0.0}};
+    held.unit.displacement.of_cases = {0.1, -0.1, 0.0};
+    EXPECT_DOUBLE_EQ(held.largest(0.0, -1.0), 40.0 * 0.1 + 9.0) << "at the second one";
+}
+
+// Ranges count from where the load is none.
+TEST(LoadScale, TheCyclesThatMakeHalfOfTheGrowthCountFromTheDeadLoad) {
+    HeldBoundary held(test::dead_load("dead", 3.0));
+    held.input.growth = GrowthSection{.increment = 0.1};
+    held.input.load.blocks = {{9, 1.6, 0.6}, {1, 2.6, 0.6}};
+    EXPECT_DOUBLE_EQ(common_K_I(held.input, held.unit).front(), 40.0 * 1.0 + 90.0);
+    held.input.load.blocks = {{1, -1.0, -2.0}};
+    EXPECT_DOUBLE_EQ(common_K_I(held.input, held.unit).front(), 90.0);
+}
+
 TEST(LoadScale, OfStressIntensitiesFollowsTheFirstTipAndTheGradient) {
     LoadSection load = history(Control::StressIntensity);
     EXPECT_EQ(load_factor_at(200.0, load, nominal), 10.0);
