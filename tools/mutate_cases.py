@@ -10,14 +10,14 @@ the README has not or that means a defect; then the exit code is 1.
 
 Reported is also one that takes more than 2 s of a processor or 1 GiB, unless it was announced: a change may leave a
 lawful case with more to do, and then `stria check` says so. It tells what the elastic body takes before it solves it
-("# estimate of the elastic body", and likewise of the one that it refines), and what a run would take ("# estimate of
-the run"). Both are good to a factor of three or so, for no one knows how often increments will be halved. A check may
-take 10 times the seconds and 4 times the bytes that it has announced of the body, a run as many times what a check of
-the same case announces of it. A run that is announced to take more than 30 s is asked to stop after 2 s, and has to end
-with 130 within 60 s of a processor: nothing cuts an iteration short. What took more than the limits and was announced
-is listed with both figures, and counted. An estimate that announces everything would not pass: every tenth other run is
-asked for its estimate too, and those that are announced above the limits but stay within a tenth of the announced
-seconds are counted.
+("# estimate of the elastic body", and likewise of the one that it refines and of the one with elements half as large),
+and what a run would take ("# estimate of the run"). Both are good to a factor of three or so, for no one knows how
+often increments will be halved. A check may take 10 times the seconds and 4 times the bytes that it has announced of
+the body, a run as many times what a check of the same case announces of it. A run that is announced to take more than
+30 s is asked to stop after 2 s, and has to end with 130 within 60 s of a processor: nothing cuts an iteration short.
+What took more than the limits and was announced is listed with both figures, and counted. An estimate that announces
+everything would not pass: every tenth other run is asked for its estimate too, and those that are announced above the
+limits but stay within a tenth of the announced seconds are counted.
 """
 
 import argparse
@@ -43,7 +43,7 @@ LONG = 30.0  # announced seconds: not waited for
 MOST_SECONDS_TO_STOP = 60.0
 MOST_SECONDS_ASLEEP = 60.0  # by the clock: others may have the processor for a while
 MEMORY_LIMIT = 8 << 30
-ESTIMATE = re.compile(r"# estimate of the (elastic body|run)(?: before it is refined)?:.*about (\S+) s of a processor and (\S+) MB")
+ESTIMATE = re.compile(r"# estimate of the (elastic body|run)(?: before it is refined| on elements half as large)?:.*about (\S+) s of a processor and (\S+) MB")
 NUMBER = re.compile(r"(?<![\w.\"])-?\d+\.?\d*(?:e[+-]?\d+)?(?![\w.\"])")
 VALUES = [
     "0", "-1", "1", "0.5", "1e-9", "1e-308", "5e-324", "1e9", "1e30", "1e308", "nan", "inf", "-inf", "2147483648",

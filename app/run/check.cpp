@@ -75,13 +75,26 @@ LargestK at_largest_load(const coarse::Scene& scene, const coarse::UnitResponse&
     return {largest > 0.0 ? largest : smallest, scene.initial_stress().any()};
 }
 
+/// Before a body is solved: who waits for it knows for what.
+void print_estimate_of_body(const char* which, double seconds, double bytes) {
+    fmt::print("# estimate of the elastic body{}: about {:.2g} s of a processor and {:.2g} MB\n", which, seconds,
+               1e-6 * (bytes_of_program + bytes));
+    std::fflush(stdout);
+}
+void print_estimate_of_body(const char* which, const coarse::Scene& scene) {
+    print_estimate_of_body(which, coarse::seconds_of_body(scene), coarse::bytes_of_body(scene));
+}
+
 /// Takes four to five times what the scene's own body takes: not where that is much.
 std::vector<coarse::TipResult> halved_where_cheap(const coarse::Scene& scene) {
     constexpr double of_body = 4.5, most_seconds = 10.0, most_bytes = 1e9;
     const double seconds = of_body * coarse::seconds_of_body(scene), bytes = of_body * coarse::bytes_of_body(scene);
-    if (seconds <= most_seconds && bytes <= most_bytes) return coarse::tips_on_halved_elements(scene);
+    if (seconds <= most_seconds && bytes <= most_bytes) {
+        print_estimate_of_body(" on elements half as large", seconds, bytes);
+        return coarse::tips_on_halved_elements(scene);
+    }
     fmt::print("# K on elements half as large is not asked for: it takes about {:.2g} s of a processor and {:.2g} MB\n",
-               seconds, 1e-6 * bytes);
+               seconds, 1e-6 * (bytes_of_program + bytes));
     return {};
 }
 
@@ -158,13 +171,6 @@ void print_way(const coarse::Scene& scene, const coarse::NominalSolution& nomina
                "{:.0f} MB\n",
                way, cycles, after.all, after.split, points,
                1e-6 * (bytes_of_program + after.all * bytes_of_element + points * bytes_of_point));
-}
-
-/// Before it is solved: who waits for it knows for what.
-void print_estimate_of_body(const char* which, const coarse::Scene& scene) {
-    fmt::print("# estimate of the elastic body{}: about {:.2g} s of a processor and {:.2g} MB\n", which,
-               coarse::seconds_of_body(scene), 1e-6 * (bytes_of_program + coarse::bytes_of_body(scene)));
-    std::fflush(stdout);
 }
 
 }  // namespace

@@ -36,13 +36,21 @@ protected:
 };
 
 TEST_F(Check, SaysHowFarKIsFromConverged) {
-    const std::string changes = "on elements half as large", warns = "# warning: tip 0: K changes by ";
+    const std::string changes = "on elements half as large K_I = ", warns = "# warning: tip 0: K changes by ";
     const std::string coarse = said_of(1.25), fine = said_of(0.25);
     EXPECT_NE(coarse.find("# tip 0: K_I = "), std::string::npos) << coarse;
     EXPECT_NE(coarse.find(changes), std::string::npos) << coarse;
     EXPECT_NE(coarse.find(warns), std::string::npos) << coarse;
     EXPECT_NE(fine.find(changes), std::string::npos) << fine;
     EXPECT_EQ(fine.find(warns), std::string::npos) << fine;
+}
+
+// Elements half as large take four times what the body does, which alone was announced.
+TEST_F(Check, SaysBeforeItHalvesElementsWhatThatTakes) {
+    const std::string said = said_of(1.25),
+                      announced = "# estimate of the elastic body on elements half as large: about ";
+    ASSERT_NE(said.find(announced), std::string::npos) << said;
+    EXPECT_LT(said.find(announced), said.find("# tip 0: K_I = "));
 }
 
 // A force in N on the whole of a thick body would give a K that many times too large.
