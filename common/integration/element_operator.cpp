@@ -185,6 +185,7 @@ IntegrationRule elastic_rule(const EnrichedMesh& mesh, int element, bool cut) {
     double distance = 1e300;  // to the nearest tip, in diagonals
     for (const Tip& tip : mesh.tips) distance = std::min(distance, (tip.position - centre(c)).norm() / diagonal(c));
     if (distance > 3.0) return {.singular_gauss = 3};
+    if (!cut && distance > 1.0) return {.singular_gauss = distance > 1.75 ? 4 : 5};
     return {.subcells = 2, .singular_gauss = 6, .tip_points = 10};
 }
 

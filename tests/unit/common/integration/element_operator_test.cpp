@@ -237,5 +237,30 @@ TEST(ElementOperator, DilatationIsConstantOnEachSide) {
     });
 }
 
+// Fewer points serve farther from it.
+TEST(ElasticRule, IntegratesTipFunctionsAtAnyDistance) {
+    constexpr IntegrationRule denser{.subcells = 4, .singular_gauss = 8, .tip_points = 20};
+    const MandelMatrix steel = Elasticity(200e3, 0.3, PlaneState::Strain).stiffness();
+    const Mesh square = square_mesh(16), distorted_square = distorted(square, 0.01);
+    const double size = diagonal(square, 0);
+    for (const coarse::TipSupport support : {coarse::TipSupport::Nodal, coarse::TipSupport::Gathered}) {
+        for (const Mesh& mesh : {square, distorted_square}) {
+            const EnrichedMesh body =
+                cracked(mesh, {{0.0, 0.47}, {0.513, 0.49}}, {.functions = 4, .support = support, .radius = 0.4});
+            for (int e = 0; e < std::ssize(body.elements); ++e) {
+                const CrackPiece* piece = piece_in(body, e);
+                if (piece != nullptr || !ElementBasis(body, e, false).singular()) continue;
+                const auto stiffness = [&](const IntegrationRule& rule) {
+                    return make_operator(body, e, piece, rule).stiffness(steel);
+                };
+                const Eigen::MatrixXd exact = stiffness(denser);
+                const double error = (stiffness(elastic_rule(body, e, false)) - exact).norm() / exact.norm();
+                const double far = (body.tips[0].position - centre(corners_of_element(body, e))).norm() / size;
+                EXPECT_LT(error, far > 1.0 && far < 3.0 ? 1e-7 : 1e-5) << far << " diagonals from the tip";
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace stria::test
