@@ -56,7 +56,7 @@ void require_law(bool met, const Given& given, const char* what) {
 void check_voce(const MaterialSection& material, const Given& given) {
     constexpr double fastest_softening = 0.1;
     const double Q = material.isotropic.Q, b = material.isotropic.b;
-    require_law(Q != 0.0 && b > 0.0, given, "needs Q and b > 0");
+    require_law(Q != 0.0 && b > 0.0, given, "needs a Q other than 0 and b > 0");
     require_law(!material.yield_stress || Q > -*material.yield_stress, given,
                 "needs a Q above -yield_stress: nothing would be left of it");
     require_law(-Q * b < fastest_softening * material.young, given,

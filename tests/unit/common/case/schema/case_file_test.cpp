@@ -439,7 +439,8 @@ TEST_F(CaseFile, TakesHardeningThatSaturates) {
     EXPECT_EQ(input.material.isotropic.Q, 90.0);
     EXPECT_EQ(input.material.kinematic.at(0).gamma, 50.0);
     const auto about = [&](const std::string& keys) { return complaint(complete + "[material.isotropic]\n" + keys); };
-    EXPECT_EQ(about("law = \"voce\"\nQ = 90.0\n"), "case.toml:26: material.isotropic needs Q and b > 0");
+    for (const char* keys : {"law = \"voce\"\nQ = 90.0\n", "law = \"voce\"\nb = 3.0\n"})
+        EXPECT_EQ(about(keys), "case.toml:26: material.isotropic needs a Q other than 0 and b > 0");
     EXPECT_EQ(about("law = \"voce\"\nQ = -299.0\nb = 3.0\n"), "no complaint");
     EXPECT_NE(about("law = \"voce\"\nQ = -300.0\nb = 3.0\n").find("needs a Q above -yield_stress"), std::string::npos);
     EXPECT_NE(about("law = \"voce\"\nQ = -200.0\nb = 100.0\n").find("needs a Q b above"), std::string::npos);
