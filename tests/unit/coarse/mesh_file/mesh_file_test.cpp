@@ -42,6 +42,12 @@ void expect_closed(const Mesh& mesh, double area) {
     EXPECT_NEAR(enclosed, area, 1e-12 * area);
 }
 
+Mesh mesh_of_text(const char* file, const char* text) {
+    const test::TemporaryFolder folder;
+    test::write_file(folder / file, text);
+    return read_mesh_file(folder / file);
+}
+
 class FormatOfMesh : public testing::TestWithParam<const char*> {};
 
 // One square is a quadrilateral, the other two triangles: ten elements.
@@ -151,22 +157,18 @@ TEST(MeshOfAbaqus, KnowsSetsAndSurfaces) {
 }
 
 TEST(MeshOfAbaqus, ARangeEndsWhereItsStepLeadsBeyondAllNumbers) {
-    const test::TemporaryFolder folder;
-    test::write_file(folder / "a.inp",
-                     "*NODE\n1,0,0\n2,1,0\n3,1,1\n-1,0,1\n*ELEMENT,TYPE=CPS4\n1,1,2,3,-1\n"
-                     "*NSET,NSET=corner,GENERATE\n1,3,9223372036854775807\n"
-                     "*NSET,NSET=three,GENERATE\n-9223372036854775808,9223372036854775807,9223372036854775807\n");
-    const Mesh mesh = read_mesh_file(folder / "a.inp");
+    const Mesh mesh = mesh_of_text(
+        "a.inp", "*NODE\n1,0,0\n2,1,0\n3,1,1\n-1,0,1\n*ELEMENT,TYPE=CPS4\n1,1,2,3,-1\n"
+                 "*NSET,NSET=corner,GENERATE\n1,3,9223372036854775807\n"
+                 "*NSET,NSET=three,GENERATE\n-9223372036854775808,9223372036854775807,9223372036854775807\n");
     EXPECT_EQ(mesh.node_sets.at("corner").size(), 1U);
     EXPECT_EQ(mesh.node_sets.at("three"), std::vector<int>{3});  // -1 of the three
 }
 
 TEST(MeshOfAbaqus, ASetMayNameItself) {
-    const test::TemporaryFolder folder;
-    test::write_file(folder / "a.inp", "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,2,0\n6,2,1\n*ELEMENT,TYPE=CPS4\n"
-                                       "1,1,2,3,4\n2,2,5,6,3\n*ELSET,ELSET=Half\n1,HALF\nhalf,half,1\n"
-                                       "*NSET,NSET=ends\n4,ends,6\nEnds,ends\n");
-    const Mesh mesh = read_mesh_file(folder / "a.inp");
+    const Mesh mesh = mesh_of_text("a.inp", "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,2,0\n6,2,1\n*ELEMENT,TYPE=CPS4\n"
+                                            "1,1,2,3,4\n2,2,5,6,3\n*ELSET,ELSET=Half\n1,HALF\nhalf,half,1\n"
+                                            "*NSET,NSET=ends\n4,ends,6\nEnds,ends\n");
     EXPECT_EQ(mesh.groups.at("Half"), std::vector<int>{0});
     EXPECT_EQ(mesh.node_sets.at("ends").size(), 2U);
 }
@@ -192,11 +194,10 @@ TEST(MeshOfGmsh, GroupsKeepTheirNamesWhereTheyRunBackwards) {
 }
 
 TEST(MeshOfGmsh, TakesAnElementOfTwoGroupsOnce) {
-    const test::TemporaryFolder folder;
-    test::write_file(folder / "part.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
-                                          "4 0 1 0\n$EndNodes\n$Elements\n2\n1 3 2 7 1 1 2 3 4\n2 3 2 8 1 1 2 3 4\n"
-                                          "$EndElements\n");
-    const Mesh mesh = read_mesh_file(folder / "part.msh");
+    const Mesh mesh =
+        mesh_of_text("part.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
+                                 "4 0 1 0\n$EndNodes\n$Elements\n2\n1 3 2 7 1 1 2 3 4\n2 3 2 8 1 1 2 3 4\n"
+                                 "$EndElements\n");
     EXPECT_EQ(mesh.elements.size(), 1U);
     EXPECT_EQ(mesh.groups.at("7"), mesh.groups.at("8"));
     EXPECT_EQ(mesh.boundary.at(unnamed_edges).size(), 4U);
