@@ -61,7 +61,14 @@ private:
     };
     using Sets = std::map<std::string, Set>;  // by the name in upper case
 
+    void require_data_here(const Keyword& keyword) const {
+        if (keyword.parameters.contains("INPUT"))
+            lines_.complain(keyword.word +
+                            ", INPUT: other files are not read; write the mesh with all its lines in one");
+    }
+
     void read_nodes(const Keyword& keyword) {
+        require_data_here(keyword);
         if (!keyword.value("SYSTEM").empty() && upper_case(keyword.value("SYSTEM")) != "R")
             lines_.complain("*NODE, SYSTEM: only Cartesian coordinates are read");
         std::vector<std::string> cells;
@@ -75,6 +82,7 @@ private:
     }
 
     void read_elements(const Keyword& keyword) {
+        require_data_here(keyword);
         const std::string type = upper_case(keyword.value("TYPE"));
         const int corners = corners_of_type(type);
         std::vector<std::string> cells;
@@ -109,11 +117,13 @@ private:
     }
 
     void read_set(const Keyword& keyword) {
+        require_data_here(keyword);
         const bool of_nodes = keyword.word == "*NSET";
         Sets& sets = of_nodes ? node_sets_ : element_sets_;
         const std::string name = keyword.value(of_nodes ? "NSET" : "ELSET");
         if (name.empty()) lines_.complain(keyword.word + " has no name");
         std::vector<Number>& members = set_in(sets, name).members;
+        if (of_nodes && keyword.parameters.contains("ELSET")) add_nodes_of(keyword.value("ELSET"), name, members);
         std::vector<std::string> cells;
         while (lines_.next_data(cells)) {
             if (keyword.parameters.contains("GENERATE")) {
@@ -134,6 +144,22 @@ private:
         }
     }
 
+    void add_nodes_of(const std::string& elements, const std::string& set, std::vector<Number>& members) const {
+        const auto found = element_sets_.find(upper_case(elements));
+        if (found == element_sets_.end())
+            lines_.complain(fmt::format("set {}: there is no set of elements {}", set, elements));
+        for (const Number number : found->second.members) {
+            const std::vector<Number>& nodes = element_of(number, "set " + set).nodes;
+            members.insert(members.end(), nodes.begin(), nodes.end());
+        }
+    }
+
+    [[nodiscard]] const Element& element_of(Number number, const std::string& group) const {
+        const auto found = elements_.find(number);
+        if (found == elements_.end()) lines_.complain(fmt::format("{}: there is no element {}", group, number));
+        return found->second;
+    }
+
     void require_room(const std::string& set, std::uint64_t members) const {
         if (members > most_members) lines_.complain(fmt::format("set {} has more than {} members", set, most_members));
     }
@@ -152,11 +178,15 @@ private:
 
     /// Faces S1 ... S4 of elements or of sets of them.
     void read_surface(const Keyword& keyword) {
+        require_data_here(keyword);
         const std::string type = upper_case(keyword.value("TYPE")), name = keyword.value("NAME");
         if (name.empty()) lines_.complain("*SURFACE has no name");
+        if (!type.empty() && type != "ELEMENT") {
+            part_.passed_over.insert("*SURFACE, TYPE=" + type);
+            return;
+        }
         std::vector<std::string> cells;
         while (lines_.next_data(cells)) {
-            if (!type.empty() && type != "ELEMENT") continue;
             const auto set = element_sets_.find(upper_case(cells[0]));
             const std::vector<Number> members =
                 set != element_sets_.end() ? set->second.members : std::vector{lines_.whole(cells[0])};
@@ -166,9 +196,7 @@ private:
     }
 
     void add_side(const std::string& name, Number number, const std::string& side) {
-        const auto found = elements_.find(number);
-        if (found == elements_.end()) lines_.complain(fmt::format("surface {}: there is no element {}", name, number));
-        const std::vector<Number>& nodes = found->second.nodes;
+        const std::vector<Number>& nodes = element_of(number, "surface " + name).nodes;
         const auto k = side.size() == 2 && side[0] == 'S' ? at(side[1] - '1') : nodes.size();
         if (nodes.size() < 3 || k >= nodes.size())
             lines_.complain(fmt::format("surface {}: element {} has no side \"{}\"", name, number, side));

@@ -173,6 +173,15 @@ TEST(MeshOfAbaqus, ASetMayNameItself) {
     EXPECT_EQ(mesh.node_sets.at("ends").size(), 2U);
 }
 
+TEST(MeshOfAbaqus, ASetOfNodesMayBeThoseOfElements) {
+    const test::TemporaryFolder folder;
+    test::write_file(folder / "a.inp", "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,2,0\n6,2,1\n*ELEMENT,TYPE=CPS4\n"
+                                       "1,1,2,3,4\n2,2,5,6,3\n*ELSET,ELSET=Right\n2\n*NSET,NSET=held,ELSET=RIGHT\n"
+                                       "*SURFACE,TYPE=NODE,NAME=pushed\nheld,1.0\n");
+    EXPECT_EQ(read_mesh_file(folder / "a.inp").boundary.at("held").size(), 3U);  // all but the one inside
+    EXPECT_EQ(describe_mesh_file(folder / "a.inp").at(1), "passed over: *SURFACE, TYPE=NODE");
+}
+
 // The sign tells which way a curve or a surface runs, and no part of the name does.
 TEST(MeshOfGmsh, GroupsKeepTheirNamesWhereTheyRunBackwards) {
     const test::TemporaryFolder folder;
@@ -308,6 +317,16 @@ INSTANTIATE_TEST_SUITE_P(
                ":9: set a has more than 10000000 members"},
         Defect{"a.inp", SQUARES "*NSET,NSET=a\n1\n*NSET,NSET=a,GENERATE\n1,10000000\n",
                ":11: set a has more than 10000000 members"},
+        Defect{"a.inp", "*NODE,INPUT=nodes.txt\n" QUADS,
+               ":1: *NODE, INPUT: other files are not read; write the mesh with all its lines in one"},
+        Defect{"a.inp", SQUARES "*ELEMENT,TYPE=CPS4,INPUT=e.txt\n",
+               ":8: *ELEMENT, INPUT: other files are not read; write the mesh with all its lines in one"},
+        Defect{"a.inp", SQUARES QUADS "*NSET,NSET=a,INPUT=a.txt\n",
+               ":11: *NSET, INPUT: other files are not read; write the mesh with all its lines in one"},
+        Defect{"a.inp", SQUARES QUADS "*SURFACE,NAME=a,INPUT=a.txt\n",
+               ":11: *SURFACE, INPUT: other files are not read; write the mesh with all its lines in one"},
+        Defect{"a.inp", SQUARES QUADS "*NSET,NSET=a,ELSET=b\n", ":11: set a: there is no set of elements b"},
+        Defect{"a.inp", SQUARES QUADS "*ELSET,ELSET=b\n3\n*NSET,NSET=a,ELSET=b\n", ":13: set a: there is no element 3"},
         Defect{"a.inp", SQUARES QUADS "*SURFACE,TYPE=ELEMENT\n1,S1\n", ":11: *SURFACE has no name"},
         Defect{"a.inp", SQUARES "*ELGEN\n1,2\n",
                ":8: *ELGEN is not read; write the mesh with all its nodes and elements"},
