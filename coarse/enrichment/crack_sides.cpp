@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -9,13 +10,29 @@
 #include "common/enrichment/tip_functions.hpp"
 #include "common/fem/centre.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
 
 namespace stria::coarse {
+namespace {
+
+/// Of a place beside a bend.
+int side_of_bend(const Vec2& before, const Vec2& bend, const Vec2& after, const Vec2& x) {
+    const bool left_of_first = orientation(before, bend, x) > 0, left_of_second = orientation(bend, after, x) > 0;
+    const bool turns_left = orientation(before, bend, after) >= 0;
+    return (turns_left ? left_of_first && left_of_second : left_of_first || left_of_second) ? 1 : -1;
+}
+
+}  // namespace
 
 CrackSides::CrackSides(const Mesh& mesh, const CrackPath& path) : mesh_(mesh), path_(path) {
-    for (const CrackPiece& piece : path.pieces) note_piece(piece);
+    for (const CrackPiece& piece : path.pieces) {
+        note_piece(piece);
+        if (piece.neighbour < 0) cut_.insert(piece.element);
+        for (const Vec2& x : piece.points)
+            if (points_.empty() || points_.back() != x) points_.push_back(x);
+    }
     note_hanging_nodes();
 }
 
@@ -74,42 +91,21 @@ int CrackSides::near_tip(const CrackPiece& piece, int node) const {
 // At a node, left or right of the two pieces that meet there; beside a tip, like the nodes of its element (a kink may
 // put them across the straight line behind the tip); along an edge.
 void CrackSides::put_on_elements(std::span<const Tip> tips, std::vector<signed char>& sides) const {
-    std::set<int> cut;
-    for (const CrackPiece& piece : path_.pieces)
-        if (piece.neighbour < 0) cut.insert(piece.element);
     const Around around = elements_around_nodes(mesh_);
     for (const int node : on_crack_) {
         for (const int element : around[at(node)]) {
-            if (cut.contains(element)) continue;
+            if (cut_.contains(element)) continue;
             const int side = side_at(mesh_.nodes[at(node)], centre(mesh_, element));
             if (known_sides(element).contains(-side)) continue;  // ahead of a tip
             sides[at(element)] = static_cast<signed char>(side);
         }
     }
-    if (path_.tip_at_start) put_beside_tip(path_.pieces.front(), tips.front(), cut, around, sides);
-    if (path_.tip_at_end) put_beside_tip(path_.pieces.back(), tips.back(), cut, around, sides);
+    if (path_.tip_at_start) put_beside_tip(path_.pieces.front(), tips.front(), around, sides);
+    if (path_.tip_at_end) put_beside_tip(path_.pieces.back(), tips.back(), around, sides);
     for (const CrackPiece& piece : path_.pieces) {
         if (piece.neighbour < 0) continue;  // of the element into which the crack leaves its edge both sides are there
-        if (!cut.contains(piece.element)) sides[at(piece.element)] = -1;
-        if (!cut.contains(piece.neighbour)) sides[at(piece.neighbour)] = 1;
-    }
-    if (path_.tip_at_start) put_beyond_hanging_nodes(path_.pieces.front(), tips.front(), cut, around, sides);
-    if (path_.tip_at_end) put_beyond_hanging_nodes(path_.pieces.back(), tips.back(), cut, around, sides);
-}
-
-// What hangs on an edge of an element at a tip has the tip's functions, and on either side of the edge the same.
-void CrackSides::put_beyond_hanging_nodes(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut,
-                                          const Around& around, std::vector<signed char>& sides) const {
-    const std::set<int> about_tip = tip_nodes(mesh_, piece);
-    for (const auto& [node, ends, larger] : mesh_.hanging) {
-        const signed char side = sides[at(larger)];
-        const bool follows = about_tip.contains(ends[0]) || about_tip.contains(ends[1]);
-        if (!follows || side == 0 || about_tip.contains(node) || on_crack_.contains(node)) continue;
-        for (const int element : around[at(node)]) {
-            signed char& known = sides[at(element)];
-            if (known != 0 || cut.contains(element) || known_sides(element).contains(-side)) continue;
-            if (lies_across(element, tip, side) && !is_torn(element, tip, side)) known = side;
-        }
+        if (!cut_.contains(piece.element)) sides[at(piece.element)] = -1;
+        if (!cut_.contains(piece.neighbour)) sides[at(piece.neighbour)] = 1;
     }
 }
 
@@ -120,7 +116,7 @@ std::set<int> CrackSides::known_sides(int element) const {
     return known;
 }
 
-void CrackSides::put_beside_tip(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut, const Around& around,
+void CrackSides::put_beside_tip(const CrackPiece& piece, const Tip& tip, const Around& around,
                                 std::vector<signed char>& sides) const {
     std::map<int, std::set<int>> seen;  // sides of each element's nodes; both: it lies ahead of the tip
     for (const int node : tip_nodes(mesh_, piece)) {
@@ -131,7 +127,7 @@ void CrackSides::put_beside_tip(const CrackPiece& piece, const Tip& tip, const s
     for (const auto& [element, of_its_nodes] : seen) {
         signed char& known = sides[at(element)];
         const int side = *of_its_nodes.begin();
-        if (known != 0 || of_its_nodes.size() > 1 || cut.contains(element) || is_torn(element, tip, side)) continue;
+        if (known != 0 || of_its_nodes.size() > 1 || cut_.contains(element) || is_torn(element, tip, side)) continue;
         known = static_cast<signed char>(side);
     }
 }
@@ -168,9 +164,37 @@ std::pair<Vec2, Vec2> CrackSides::neighbours_on_crack(const Vec2& x) const {
 
 int CrackSides::side_at(const Vec2& bend, const Vec2& x) const {
     const auto [before, after] = neighbours_on_crack(bend);
-    const bool left_of_first = orientation(before, bend, x) > 0, left_of_second = orientation(bend, after, x) > 0;
-    const bool turns_left = orientation(before, bend, after) >= 0;
-    return (turns_left ? left_of_first && left_of_second : left_of_first || left_of_second) ? 1 : -1;
+    return side_of_bend(before, bend, after, x);
+}
+
+int CrackSides::of_place(const Vec2& x) const {
+    std::size_t nearest = 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < points_.size(); ++k) {
+        const double distance = distance_to_segment(x, points_[k - 1], points_[k]);
+        if (distance < least) least = distance, nearest = k;
+    }
+    const Vec2 &from = points_[nearest - 1], &to = points_[nearest];
+    const double along = (x - from).dot(to - from);
+    if (along <= 0.0 && nearest > 1) return side_of_bend(points_[nearest - 2], from, to, x);
+    if (along >= (to - from).squaredNorm() && nearest + 1 < points_.size())
+        return side_of_bend(from, to, points_[nearest + 1], x);
+    return orientation(from, to, x) > 0 ? 1 : -1;
+}
+
+// An element off the crack lies on one side of it, and so does the branch of theta there: by the line behind the tip it
+// would jump inside the element, where nothing is cracked.
+void CrackSides::put_behind_tip(const Tip& tip, const std::map<int, int>& nodes,
+                                std::vector<signed char>& sides) const {
+    for (int element = 0; element < std::ssize(mesh_.elements); ++element) {
+        signed char& known = sides[at(element)];
+        const auto has_functions = [&](int node) { return nodes.contains(node); };
+        if (known != 0 || cut_.contains(element) || std::ranges::none_of(mesh_.elements[at(element)], has_functions) ||
+            known_sides(element).size() > 1)
+            continue;
+        const int side = of_place(centre(mesh_, element));
+        if (lies_across(element, tip, side) && !is_torn(element, tip, side)) known = static_cast<signed char>(side);
+    }
 }
 
 }  // namespace stria::coarse

@@ -31,6 +31,13 @@ public:
     /// its end, if they are; `sides`: one per element.
     void put_on_elements(std::span<const Tip> tips, std::vector<signed char>& sides) const;
 
+    /// Side of a place off the crack, by what of the crack is nearest; beyond an end that of the line which goes on.
+    [[nodiscard]] int of_place(const Vec2& x) const;
+
+    /// Likewise sets that of the elements about the nodes of a tip's functions that the line behind the tip crosses
+    /// where the crack has turned away from it.
+    void put_behind_tip(const Tip& tip, const std::map<int, int>& nodes, std::vector<signed char>& sides) const;
+
 private:
     using Around = IndexLists;  // the elements around each node
 
@@ -40,10 +47,8 @@ private:
     [[nodiscard]] int side_in(const CrackPiece& piece, const Vec2& x) const;
     /// Of the nodes of an element, but for those on the crack: both where the crack cuts it, or ends before it.
     [[nodiscard]] std::set<int> known_sides(int element) const;
-    void put_beside_tip(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut, const Around& around,
+    void put_beside_tip(const CrackPiece& piece, const Tip& tip, const Around& around,
                         std::vector<signed char>& sides) const;
-    void put_beyond_hanging_nodes(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut,
-                                  const Around& around, std::vector<signed char>& sides) const;
     [[nodiscard]] bool is_torn(int element, const Tip& tip, int side) const;
     [[nodiscard]] bool lies_across(int element, const Tip& tip, int side) const;
     [[nodiscard]] std::pair<Vec2, Vec2> neighbours_on_crack(const Vec2& x) const;
@@ -54,6 +59,8 @@ private:
     const CrackPath& path_;
     std::map<int, int> of_nodes_, of_hanging_too_;
     std::set<int> on_crack_;
+    std::set<int> cut_;         // elements
+    std::vector<Vec2> points_;  // of the crack on the mesh
 };
 
 }  // namespace stria::coarse

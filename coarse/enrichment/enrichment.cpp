@@ -138,7 +138,9 @@ private:
         const Tip& tip = result_.tips[at(index)];
         const auto [nodes, share] = support_of_tip(mesh_, tip_enrichment_, tip, piece, room_about(index, piece));
         const Term::Kind kind = share ? Term::Kind::Gathered : Term::Kind::Tip;
-        for (const auto& [node, side] : branches(nodes, piece, sides)) {
+        const std::map<int, int> side_of = branches(nodes, piece, sides);
+        sides.put_behind_tip(tip, side_of, result_.element_side);
+        for (const auto& [node, side] : side_of) {
             const auto value = tip_functions(tip, mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
             for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha)
                 result_.terms[at(node)].push_back({kind, index, alpha, value[alpha]});
@@ -160,13 +162,12 @@ private:
                                               const CrackSides& sides) const {
         std::map<int, int> side_of;
         for (const HangingNode& hanging : mesh_.hanging)  // what hangs follows
-            if (nodes.contains(hanging.ends[0]) || nodes.contains(hanging.ends[1]))
-                side_of[hanging.node] = result_.element_side[at(hanging.larger)];
-        for (const int node : nodes) side_of.try_emplace(node, 0);
+            if (nodes.contains(hanging.ends[0]) || nodes.contains(hanging.ends[1])) side_of[hanging.node] = 0;
+        for (const int node : nodes) side_of[node] = 0;
         const std::set<int> about_tip = tip_nodes(mesh_, piece);
         for (auto& [node, side] : side_of) {
-            if (const auto own = sides.of_hanging_too().find(node); own != sides.of_hanging_too().end())
-                side = own->second;
+            const auto own = sides.of_hanging_too().find(node);
+            side = own != sides.of_hanging_too().end() ? own->second : sides.of_place(mesh_.nodes[at(node)]);
             if (about_tip.contains(node)) side = sides.near_tip(piece, node);
         }
         return side_of;

@@ -107,7 +107,7 @@ void ElementBasis::gather_tip(int index, int functions) {
         const auto psi = [&](int side) {
             return tip_functions(tip, corners_[at(corner)], side, mesh_->tip_exponent).value;
         };
-        Eigen::Matrix<double, 6, 1> own = psi(0);
+        Eigen::Matrix<double, 6, 1> own = psi(tip_side_);
         bool jumps = false;
         for (const Term& term : mesh_->terms[at(node)]) {
             jumps = jumps || (term.kind == Term::Kind::Heaviside && term.owner == tip.crack);

@@ -50,13 +50,15 @@ struct EnrichedMesh {
 
     std::vector<CrackPiece> pieces;  // ordered by crack, then along it
     std::vector<Tip> tips;
-    std::vector<Tip> left_tips;             // that cracks have outgrown, where their functions stay unknowns
-    std::vector<double> mouths;             // per crack, CrackPath::mouth()
-    std::vector<double> grown_at_start;     // per crack: CrackSection::grown_at_start, mm; empty: no first point moved
-    double tip_exponent = 0.5;              // 1/(n+1) of eq. (2)
-    int tip_functions = 0;                  // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
-    std::vector<std::vector<Term>> terms;   // per node; gathered ones last
-    std::vector<signed char> element_side;  // side of an uncut element that touches the crack: +1, -1; else 0
+    std::vector<Tip> left_tips;            // that cracks have outgrown, where their functions stay unknowns
+    std::vector<double> mouths;            // per crack, CrackPath::mouth()
+    std::vector<double> grown_at_start;    // per crack: CrackSection::grown_at_start, mm; empty: no first point moved
+    double tip_exponent = 0.5;             // 1/(n+1) of eq. (2)
+    int tip_functions = 0;                 // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
+    std::vector<std::vector<Term>> terms;  // per node; gathered ones last
+    // +1, -1: side of an uncut element that touches the crack, or that the line behind a tip crosses where its
+    // functions act; else 0.
+    std::vector<signed char> element_side;
     // Of a part of a mesh, whose nodes have lost the terms that none of its elements sees: branch_side() of each
     // element, as the whole tells it. Empty: this is no part.
     std::vector<signed char> branch;
@@ -127,7 +129,7 @@ std::vector<int> same_unknowns(const EnrichedMesh& mesh, const EnrichedMesh& oth
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial);
 
-/// Side of the crack of an uncut element that touches it, or has a node beside it, +1 or -1; else 0. Behind a tip it
+/// element_side, or that of an element which has a node beside the crack, +1 or -1; else 0. Behind a tip it
 /// chooses the branch of theta: where a crack turns, the line behind its tip passes through such elements.
 int branch_side(const EnrichedMesh& mesh, int element);
 

@@ -33,6 +33,11 @@ std::vector<EnrichedMesh> meshes() {
         for (const Mesh& background : {many, square_mesh(20)})
             result.push_back(cracked(background, crack, {4, 0.5, coarse::TipSupport::Gathered, {}}));
     }
+    // The line behind the tip leaves the crack within the disk, and passes through elements off the crack.
+    const std::vector<double> lines{0.0, 1.45, 2.6, 3.45, 4.0, 4.55, 5.4, 6.55, 8.0};
+    result.push_back(cracked(coarse::grid_mesh(lines, lines),
+                             {{0.0, 4.798}, {2.22, 4.834}, {2.5277, 5.0319}, {2.6, 5.4}, {2.6345, 5.4257}},
+                             {4, 0.5, coarse::TipSupport::Gathered, {}}));
     return result;
 }
 
