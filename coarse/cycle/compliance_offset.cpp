@@ -30,8 +30,8 @@ std::optional<double> compliance_offset_opening(std::span<const double> load_dow
     if (std::isnan(of_open)) return std::nullopt;  // no mouth
     if (opening_down.front() - opening_down.back() < least_opening) return NAN;
     if (of_open <= 0.0) return std::nullopt;
-    const double longest = 0.1 * range * (1.0 + 1e-9);  // E647's segments
-    double above = NAN, offset_above = 0.0;             // the middle of the segment above, and its offset
+    const double longest = 0.1 * (load_up.back() - load_up.front()) * (1.0 + 1e-9);  // E647's segments
+    double above = NAN, offset_above = 0.0;  // the middle of the segment above, and its offset
     for (std::size_t k = load_up.size() - 1; k > 0; --k) {
         if (load_up[k] - load_up[k - 1] > longest) return std::nullopt;
         const double compliance = (opening_up[k] - opening_up[k - 1]) / (load_up[k] - load_up[k - 1]);

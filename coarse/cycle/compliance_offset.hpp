@@ -12,7 +12,7 @@ namespace stria::coarse {
 /// `load_down`, `opening_down`: load factors and mouth openings, mm, at the increments from the maximum to the minimum;
 /// `load_up`, `opening_up`: from there to the maximum. The minimum where the crack is open all the way, NaN where it
 /// does not open up to the maximum. Nothing where that is not told: there is no mouth, or an increment from the
-/// one below that load up to the maximum is longer than a tenth of the load range.
+/// one below that load up to the maximum is longer than a tenth of the way up, which need not be as long as that down.
 std::optional<double> compliance_offset_opening(std::span<const double> load_down, std::span<const double> opening_down,
                                                 std::span<const double> load_up, std::span<const double> opening_up,
                                                 double offset = 0.02);

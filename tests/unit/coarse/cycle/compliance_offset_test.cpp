@@ -58,5 +58,21 @@ TEST(ComplianceOffset, IsNotReadFromLongIncrements) {
     EXPECT_FALSE(with_increments_of(12.5));
 }
 
+// Under a K that is controlled the load rises again to another one than it has fallen from. Ten equal increments of a
+// way that was longer by a hair than the one down told nothing.
+TEST(ComplianceOffset, IsReadFromTenthsOfTheWayUp) {
+    const auto opening = [](double load) { return load > 40.0 ? load : 40.0 - 0.8 * (40.0 - load); };
+    const auto up_to = [&](double maximum, int increments) {
+        std::vector<double> down, up, v_down, v_up;
+        for (int k = 0; k <= 10; ++k) down.push_back(100.0 - 10.0 * k);
+        for (int k = 0; k <= increments; ++k) up.push_back(maximum * k / increments);
+        for (const double load : down) v_down.push_back(opening(load));
+        for (const double load : up) v_up.push_back(opening(load));
+        return compliance_offset_opening(down, v_down, up, v_up);
+    };
+    for (const double maximum : {100.01, 120.0}) EXPECT_NEAR(up_to(maximum, 10).value_or(NAN), 40.0, 12.0) << maximum;
+    EXPECT_FALSE(up_to(90.0, 9)) << "they are longer than tenths of that way";
+}
+
 }  // namespace
 }  // namespace stria::coarse
