@@ -12,6 +12,7 @@
 #include "common/geometry/clipping.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 #include "common/integration/cut_element.hpp"
 
 namespace stria::coarse {
@@ -186,9 +187,11 @@ int CrackSides::of_place(const Vec2& x) const {
 // would jump inside the element, where nothing is cracked.
 void CrackSides::put_behind_tip(const Tip& tip, const std::map<int, int>& nodes,
                                 std::vector<signed char>& sides) const {
+    NodeSet with_functions(mesh_.nodes.size());
+    for (const auto& [node, side] : nodes) with_functions.insert(node);
+    const auto has_functions = [&](int node) { return with_functions.contains(node); };
     for (int element = 0; element < std::ssize(mesh_.elements); ++element) {
         signed char& known = sides[at(element)];
-        const auto has_functions = [&](int node) { return nodes.contains(node); };
         if (known != 0 || cut_.contains(element) || std::ranges::none_of(mesh_.elements[at(element)], has_functions) ||
             known_sides(element).size() > 1)
             continue;
