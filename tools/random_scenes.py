@@ -48,6 +48,7 @@ TOLD_FROM = {"K_I": lambda work, moved: 1e-4 * (200e3 * work / 10.0) ** 0.5, "J"
              "CMOD": lambda work, moved: 1e-6 * moved}
 # What a run may warn of, and what the scene then has.
 EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)|on = \"point\"",  # of a plate that a crack half parts, or beside a point
+             r"another crack is": r"\[\[crack\]\](.|\n)*\[\[crack\]\]",
              r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
              r"forward plastic zone|closure is (still )?looked at": r"yield_stress(.|\n)*(contact|\[growth\])|\[growth\](.|\n)*yield_stress|contact(.|\n)*yield_stress",
              r"growth.increment = .* (at a time|of its forward plastic zone)": r"yield_stress(.|\n)*\[growth\]",

@@ -9,6 +9,7 @@ enum class MeshDoubtKind {
     Bend,           // too near for K
     Room,           // no ring tells K and J
     Metal,          // likewise, beside another one
+    Neighbour,      // another crack is near to functions of the tip's element
     Functions,      // other tips' elements decide that functions stand
     LargeElements,  // larger than fine.refine asks for
     LeftFunctions,  // hold the faces where nothing flows

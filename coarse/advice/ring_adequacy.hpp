@@ -20,6 +20,9 @@ namespace stria::coarse {
 /// Where there are several metals: no ring of two elements in its own, and graver, none that leaves K within a percent.
 [[nodiscard]] std::optional<MeshDoubt> doubt_of_metal(const Scene& scene, std::size_t tip);
 
+/// Another crack as near as functions of the tip's element alone, or none, leave K off by more than two percent.
+[[nodiscard]] std::optional<MeshDoubt> doubt_of_neighbour(const Scene& scene, std::size_t tip);
+
 /// Of a tip whose elements make functions stand at others, which have elements small enough for none.
 struct TipOfFunctions {
     std::size_t tip;

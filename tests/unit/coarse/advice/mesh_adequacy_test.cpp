@@ -79,6 +79,32 @@ TEST_F(Advice, WantsTwoElementsForRingsOfElasticTipsAndThreeBesideOtherCracks) {
     EXPECT_EQ(at(300.0).size(), 1U);
 }
 
+// The same table: rings have room there, but the crack is short by a part of an element.
+TEST_F(Advice, NamesAnotherCrackThatIsNearToFunctionsOfOneElement) {
+    input.cracks[0].contact.reset();
+    input.mesh.width = 40.0;
+    const auto apart = [&](double distance) {
+        input.cracks[0].points = {{0.0, 10.3}, {0.5 * (input.mesh.width - distance), 10.3}};
+        input.cracks.resize(1);
+        input.cracks.push_back(
+            {.points = {{input.mesh.width, 10.3}, {0.5 * (input.mesh.width + distance), 10.3}}, .contact = {}});
+        return at(300.0);
+    };
+    ASSERT_EQ(apart(9.1).size(), 2U);
+    EXPECT_NE(apart(9.1)[1].find("tip 1: another crack is 9.1 mm away, 9.1 elements of 1 mm; with tip functions on one "
+                                 "element alone K may be off by more than two percent below 16"),
+              std::string::npos)
+        << apart(9.1)[1];
+    EXPECT_TRUE(apart(16.1).empty());
+    input.fine.enrichment = Enrichment::None;
+    ASSERT_EQ(apart(16.1).size(), 2U);
+    EXPECT_NE(apart(16.1)[0].find("with no tip functions"), std::string::npos) << apart(16.1)[0];
+    input.fine.enrichment = Enrichment::Auto;
+    input.material.yield_stress.reset();
+    input.material.kinematic.clear();
+    EXPECT_TRUE(apart(9.1).empty()) << "functions on a whole disk";
+}
+
 TEST_F(Advice, NamesTheRefinementThatWouldDo) {
     const auto warnings = at(600.0);  // 0.63 mm
     ASSERT_EQ(warnings.size(), 1U);
