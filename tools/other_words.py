@@ -57,7 +57,7 @@ def scaled(case, mesh, length, stress):
     units = units_of_keys()
     units["growth.C"] = (1 - 0.5 * m, -m)  # Paris' law
     for key in ("load.blocks.max", "load.blocks.min"):
-        units[key] = (0.5, 1) if control == "K" else (0, 0)
+        units[key] = {"K": (0.5, 1), "displacement": (1, 0)}.get(control, (0, 0))
     power = lambda of: length ** of[0] * stress ** of[1]
     twin = walked(case, lambda key, value: value * power(units[key]) if any(units.get(key, (0, 0))) else value)
     mesh = mesh and ([(length * x, length * y) for x, y in mesh[0]], *mesh[1:])
@@ -129,8 +129,8 @@ def louder(case, mesh, times):
         of_load = {"traction", "force", "displacement", "pressure", "traction_gradient"} & boundary.keys()
         for key in of_load if "case" not in boundary else ():
             boundary[key] = walked(boundary[key], lambda _key, value: times * value)
-    for block in twin["load"]["blocks"] if twin["load"].get("control") != "K" else ():
-        block["max"] /= times
+    for block in twin["load"]["blocks"] if twin["load"].get("control", "load") == "load" else ():
+        block.update({key: block[key] / times for key in ("max", "min") if key in block})
     for load_case in twin.get("load_case", []):
         load_case.update({"factor": times * load_case["factor"]} if "factor" in load_case else {})
     return twin, mesh, lambda column, value: value / times if column == "load_factor" else value
@@ -139,7 +139,7 @@ def louder(case, mesh, times):
 def spelled(case, mesh, folder):
     twin = copy.deepcopy(case)
     load, material = twin["load"], twin["material"]
-    rows = [(block["max"], block["max"] * block["ratio"]) for block in load.pop("blocks") for _ in range(block["cycles"])]
+    rows = [(block["max"], block["min"] if "min" in block else block["max"] * block["ratio"]) for block in load.pop("blocks") for _ in range(block["cycles"])]
     (folder / "spectrum.csv").write_text("max,min\n" + "".join(f"{high / 2.5!r},{low / 2.5!r}\n" for high, low in rows))
     load.update({"spectrum": "spectrum.csv", "scale": 2.5})
     law, stress = material.get("isotropic", {}), material.get("yield_stress")

@@ -52,7 +52,7 @@ def with_more(text, seed):
     if specimen != "ct" and rng.random() < 0.3:
         stress = rng.uniform(-60.0, 60.0)
         text += "[initial_stress]\nsigma_y = { at = [0.0, 5.0, 10.0], stress = [%.6g, %.6g, %.6g] }\n" % (stress, -stress, stress)
-    if rng.random() < 0.35:
+    if rng.random() < 0.35 and 'definition = "offset"' not in text:
         text = re.sub(r"\nsteps = \d+", '\nsteps = "auto"', text)
     return text
 

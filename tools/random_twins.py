@@ -3,13 +3,14 @@
 
     tools/random_twins.py SEED COUNT [--programs build/release/bin] [--keep DIR] [--jobs 2]
 
-A case is one of random_scenes.py or random_lives.py, with load cases, residual stress and more of hardening added; or a
-body from a mesh file, of crooked quadrilaterals. Its twins:
+A case is one of random_scenes.py or random_lives.py, with load cases, residual stress and more of hardening added, or a
+controlled displacement, a dead load and chosen increments (random_loads.py); or a body from a mesh file, of crooked
+quadrilaterals. Its twins:
 
     scaled     lengths times 1000 and stresses times 1e-6: every number of its unit, by the units that the reference of
                the case file declares
     mirrored   about the horizontal, or the vertical, middle: K_II, slip and shear change their signs
-    louder     loads 100 times as large, and the load factor so much smaller
+    louder     loads 100 times as large, and the load factor so much smaller, be it given or found
     spelled    cycles one by one, min for ratio, from a spectrum, with load.scale; a linear law as a table; a back stress
                in two halves
     pointed    one more point in the middle of a straight stretch of a crack
@@ -38,6 +39,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import other_words  # noqa: E402
 import random_lives as lives  # noqa: E402
+import random_loads  # noqa: E402
 import random_scenes as scenes  # noqa: E402
 import random_trials  # noqa: E402
 from other_words import TOLERANCE, WIDTH, kind_of, same  # noqa: E402
@@ -80,13 +82,16 @@ def write_mesh(path, mesh):
     path.write_text("\n".join(lines + ["$EndElements", ""]))
 
 
-def case_of(rng):
+def case_of(rng, seed):
     """A case and its mesh, None of a specimen."""
     if rng.random() < 0.6:
         of_cycles, _ = lives.life(rng)
-        case = tomllib.loads(of_cycles(3))
+        text = of_cycles(3)
     else:
-        case = tomllib.loads(scenes.scene(rng))
+        text = scenes.scene(rng)
+    has_K = 'control = "K"' in text
+    more = text if has_K else random_loads.with_more(text.replace('control = "load"\n', ""), seed)
+    case = tomllib.loads(more)
     case["solver"] = {"tolerance": 1e-10}
     case["output"] = {"fields": "none", "checkpoint_every": 0}
     if "distance" in case.get("closure", {}):  # no multiple of an increment: faces part as a root at a former tip
@@ -95,7 +100,7 @@ def case_of(rng):
     for crack in case["crack"]:  # along no line of nodes, so that sides are no matter of order
         for k, point in enumerate(crack["points"]):
             point[1] += 0.0137 + 0.0291 * k
-    if specimen != "ct":
+    if specimen != "ct" and not {"initial_stress", "load_case"} & case.keys() and case["load"].get("control") != "displacement":
         more_loads(case, rng)
     if "kinematic" in material and rng.random() < 0.4:
         term = material["kinematic"][0]
@@ -140,13 +145,22 @@ def numbers(folder, change):
     return tables
 
 
-def first_difference(one, other, without):
+def told_from(folder):
+    """Of a crack that stays closed K and J are of the mesh: they are told from the J on that it would have if the work in
+    a row of elements, a hundredth of all, went into it, and from the K of that."""
+    with open(folder / "history.csv", newline="", encoding="utf-8") as file:
+        J = 1e-2 * max(abs(float(row["external_work"])) for row in csv.DictReader(file)) / WIDTH
+    return {"K_I": (200e3 * J) ** 0.5, "J": J}
+
+
+def first_difference(one, other, without, least):
+    """`least`: what numbers of a kind are told from."""
     largest_K = max((abs(row[key]) for rows in one.values() for row in rows for key in row
                      if kind_of(key) == "K" and row[key] == row[key]), default=0.0)
     for name, rows in one.items():
         if len(rows) != len(other.get(name, [])):
             return f"{name}: {len(rows)} rows and {len(other.get(name, []))}"
-        size = {}
+        size = dict(least)
         for key in rows[0] if rows else ():
             size[kind_of(key)] = max([size.get(kind_of(key), 0.0)] + [abs(row[key]) for row in rows if row[key] == row[key]])
         size["trials"] = max(size.get("trials", 0.0), largest_K)
@@ -160,7 +174,7 @@ def first_difference(one, other, without):
 
 def judge(arguments, seed):
     rng, wrong = random.Random(seed), []
-    case, mesh = case_of(rng)
+    case, mesh = case_of(rng, seed)
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         (code, said), itself = run(arguments.programs, folder, "itself", case, mesh)
@@ -173,7 +187,8 @@ def judge(arguments, seed):
                 without = {"CMOD"} if name == "reversed" and inner else set()  # of the crack's first point
                 if case.get("growth", {}).get("law", "prescribed") != "prescribed":
                     without |= {"a", "da"}  # of a slower tip as exact as its K_op
-                found = first_difference(numbers(itself, change), numbers(its_folder, same), without)
+                found = first_difference(numbers(itself, change), numbers(its_folder, same), without,
+                                         {kind_of(key): abs(change(key, value)) for key, value in told_from(itself).items()})
                 wrong += [f"{name}: {found}"] if found else []
         if wrong and arguments.keep:
             shutil.copytree(scratch, arguments.keep / str(seed), dirs_exist_ok=True)
