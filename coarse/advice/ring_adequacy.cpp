@@ -81,11 +81,10 @@ std::optional<MeshDoubt> doubt_of_metal(const Scene& scene, std::size_t tip) {
 
 std::optional<MeshDoubt> doubt_of_neighbour(const Scene& scene, std::size_t t) {
     const EnrichedMesh& mesh = scene.enriched;
-    if (share_functions(mesh, static_cast<int>(t))) return std::nullopt;
     const double element = tip_element_edge(mesh, mesh.tips[t]);
     const double distance = 2.0 * half_way_to_other_cracks(scene.input.cracks, mesh.tips, static_cast<int>(t));
     const double wanted = mesh.tip_functions == 0 ? elements_without_functions : elements_to_crack;
-    if (distance >= wanted * element) return std::nullopt;
+    if (distance >= wanted * element || share_functions(mesh, static_cast<int>(t))) return std::nullopt;
     return MeshDoubt{MeshDoubtKind::Neighbour,
                      fmt::format("tip {}: another crack is {:.3g} mm away, {:.2g} elements of {:.3g} mm; with {} K may "
                                  "be off by more than two percent below {:g}: smaller elements there",
