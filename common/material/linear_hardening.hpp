@@ -8,10 +8,13 @@
 
 namespace stria {
 
-/// Prager's: none forgets, and no C changes.
+/// Prager's: it does not forget, and its C does not change.
+[[nodiscard]] inline bool is_linear(const KinematicHardening& back_stress) {
+    return back_stress.gamma == 0.0 && !back_stress.C_start;
+}
+
 [[nodiscard]] inline bool are_linear(const std::vector<KinematicHardening>& back_stresses) {
-    return std::ranges::all_of(back_stresses,
-                               [](const KinematicHardening& term) { return term.gamma == 0.0 && !term.C_start; });
+    return std::ranges::all_of(back_stresses, is_linear);
 }
 
 }  // namespace stria

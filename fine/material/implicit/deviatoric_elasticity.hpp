@@ -19,13 +19,6 @@ struct DeviatoricElasticity {
     template <int rows> [[nodiscard]] Tensors<rows> stress(const Tensors<rows>& strain) const {
         return (strain.matrix() * stiffness).array();
     }
-
-    /// Of deviators e.
-    template <int rows> [[nodiscard]] Deviators<rows> stress_of(const Deviators<rows>& e) const {
-        Deviators<rows> result;
-        for (int i = 0; i < 3; ++i) result.col(i) = rates[i] * e.col(i);
-        return result;
-    }
 };
 
 }  // namespace stria::fine

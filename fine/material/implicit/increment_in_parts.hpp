@@ -45,20 +45,15 @@ struct Alexander {
 
 template <int rows> class IncrementInParts {
 public:
-    IncrementInParts(const J2Parameters& law, const DeviatoricElasticity& elasticity)
-        : law_(law), elasticity_(elasticity) {}
+    /// The arguments must outlive the increment.
+    IncrementInParts(const J2Parameters& parameters, const DeviatoricElasticity& elasticity, const ReturnLaw& law)
+        : parameters_(parameters), elasticity_(elasticity), law_(law) {}
 
     /// `elastic`: deviatoric elastic stress of the whole increment, MPa.
     void begin(const J2Update& update, PackPlace<rows> at, const Deviators<rows>& elastic) {
         elastic_ = elastic;
-        const std::size_t back_stresses = law_.kinematic.size();
-        now_.state.stress = deviators_of<rows>(at.tensors(update.committed, state::stress));
-        now_.state.p = at.scalars(update.committed, state::accumulated);
-        now_.state.back.resize(back_stresses);
-        for (std::size_t k = 0; k < back_stresses; ++k)
-            now_.state.back[k] =
-                deviators_of<rows>(at.tensors(update.committed, state::back_stress + 4 * static_cast<int>(k)));
-        for (PackState<rows>& change : now_.derivative) change.set_zero(back_stresses);
+        now_.state.put(law_, at, update.committed);
+        for (PackState<rows>& change : now_.derivative) change.set_zero(law_.recalling.size());
         for (Deviators<rows>& change : now_.plastic_derivative) change.setZero();
         now_.plastic.setZero();
         now_.equivalent.setZero();
@@ -68,7 +63,7 @@ public:
     void take_at_once() { flow(WithSlope<rows>(Scalars<rows>::Ones()), true); }
 
     void take_within_bound(const Mask<rows>& flows) {
-        const PartsOfIncrement<rows> parts(law_, elasticity_.rates, now_.state, elastic_, flows);
+        const PartsOfIncrement<rows> parts(parameters_, law_, now_.state, elastic_, flows);
         move(parts.elastic());
         for (int k = 0; k < parts.count(); ++k) {
             start_ = now_;
@@ -85,9 +80,11 @@ public:
         const Tensors<rows> stress =
             at.tensors(update.committed, state::stress) + elasticity_.stress<rows>(strain_increment - plastic);
         write_flow<rows>(update, at, strain_increment, stress, plastic, now_.equivalent, now_.dissipated);
-        for (std::size_t k = 0; k < law_.kinematic.size(); ++k)
-            at.tensors(update.trial, state::back_stress + 4 * static_cast<int>(k)) =
-                tensors_of<rows>(now_.state.back[k]);
+        for (std::size_t k = 0; k < law_.linear.size(); ++k)
+            at.tensors(update.trial, law_.linear[k]) =
+                at.tensors(update.committed, law_.linear[k]) + 2.0 / 3.0 * law_.linear_C[k] * plastic;
+        for (std::size_t k = 0; k < law_.recalling.size(); ++k)
+            at.tensors(update.trial, law_.back_stresses[k]) = tensors_of<rows>(now_.state.back[k]);
         write_tangent(update, at);
     }
 
@@ -104,8 +101,8 @@ private:
 
     /// The straight line of a large part leads beyond what recall allows a back stress: back to the limit C / gamma.
     void keep_within_limits() {
-        for (std::size_t k = 0; k < law_.kinematic.size(); ++k) {
-            const KinematicHardening& term = law_.kinematic[k];
+        for (std::size_t k = 0; k < law_.recalling.size(); ++k) {
+            const KinematicHardening& term = law_.recalling[k];
             if (term.gamma == 0.0 || term.threshold) continue;
             const double limit = std::max(term.C, term.C_start.value_or(0.0)) / term.gamma;
             Deviators<rows>& X = now_.state.back[k];
@@ -123,23 +120,23 @@ private:
     /// Backward Euler over a share of the increment; `whole`: of all of it.
     void flow(const WithSlope<rows>& share, bool whole) {
         const Deviators<rows> trial = now_.state.stress + elastic_ * share.value;
-        const Scalars<rows> dp = PartReturn<rows>(law_, elasticity_.rates, now_.state, trial).find(found_);
+        const Scalars<rows> dp = PartReturn<rows>(parameters_, law_, now_.state, trial).find(found_);
         const Deviators<rows> plastic = found_.xi * found_.lambda;
         move(share);
-        now_.state.stress -= elasticity_.stress_of<rows>(plastic);
+        now_.state.stress -= law_.lost<rows>(plastic);
         now_.plastic += plastic;
         now_.equivalent += dp;
-        now_.dissipated += law_.yield_stress * dp;
-        for (std::size_t k = 0; k < law_.kinematic.size(); ++k)
+        now_.dissipated += parameters_.yield_stress * dp;
+        for (std::size_t k = 0; k < law_.recalling.size(); ++k)
             now_.dissipated += whole ? dissipated_by_recall(k, dp) : dissipated_at_rate(k, dp);
         differentiate(dp);
-        for (std::size_t k = 0; k < law_.kinematic.size(); ++k) now_.state.back[k] = found_.back[k].X;
+        for (std::size_t k = 0; k < law_.recalling.size(); ++k) now_.state.back[k] = found_.back[k].X;
         now_.state.p += dp;
     }
 
     // docs/equations.md, "What recall dissipates". E: energy of a back stress.
     [[nodiscard]] Scalars<rows> dissipated_by_recall(std::size_t k, const Scalars<rows>& dp) const {
-        const KinematicHardening& term = law_.kinematic[k];
+        const KinematicHardening& term = law_.recalling[k];
         if (term.C == 0.0 || term.threshold) return dissipated_at_rate(k, dp);
         const Recalled<rows>& back = found_.back[k];
         const Scalars<rows> E = 0.5 * dot<rows>(back.X, back.X) / back.stiffness;
@@ -154,7 +151,7 @@ private:
 
     // The same by the rate at the end alone: what a stage of a method gives.
     [[nodiscard]] Scalars<rows> dissipated_at_rate(std::size_t k, const Scalars<rows>& dp) const {
-        const KinematicHardening& term = law_.kinematic[k];
+        const KinematicHardening& term = law_.recalling[k];
         if (term.C == 0.0) return Scalars<rows>::Zero();
         const Recalled<rows>& back = found_.back[k];
         const Scalars<rows> E = 0.5 * dot<rows>(back.X, back.X) / back.stiffness;
@@ -183,7 +180,7 @@ private:
             const Scalars<rows> dlambda = found_.lambda_slope * ddp + lambda_by_p * change.p;
             const Deviators<rows> plastic = found_.xi * dlambda + (at_dp + found_.xi_slope * ddp) * found_.lambda;
             now_.plastic_derivative[j] += plastic;
-            change.stress -= elasticity_.stress_of<rows>(plastic);
+            change.stress -= law_.lost<rows>(plastic);
             change.p += ddp;
             for (std::size_t k = 0; k < change.back.size(); ++k)
                 change.back[k] +=
@@ -210,8 +207,9 @@ private:
             }
     }
 
-    const J2Parameters& law_;
+    const J2Parameters& parameters_;
     const DeviatoricElasticity& elasticity_;
+    const ReturnLaw& law_;
     Deviators<rows> elastic_;
     Progress<rows> now_, start_;
     ReturnAt<rows> found_;

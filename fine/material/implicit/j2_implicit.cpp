@@ -8,8 +8,8 @@ namespace stria::fine {
 
 void J2Implicit::return_points(const J2Update& update, int points, int stride) const {
     // Their memory serves one pack after the other.
-    IncrementInParts<pack_size> of_packs(update.law, elasticity_);
-    IncrementInParts<1> of_points(update.law, elasticity_);
+    IncrementInParts<pack_size> of_packs(update.law, elasticity_, law_);
+    IncrementInParts<1> of_points(update.law, elasticity_, law_);
     update_packs(
         update, points, stride,
         [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) { return elasticity_.stress<rows>(strain); },

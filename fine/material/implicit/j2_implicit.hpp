@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fine/material/implicit/deviatoric_elasticity.hpp"
+#include "fine/material/implicit/return_law.hpp"
 #include "fine/material/j2_law.hpp"
 
 namespace stria::fine {
@@ -13,12 +14,14 @@ namespace stria::fine {
 /// strain increment is not found.
 class J2Implicit final : public J2Law {
 public:
-    explicit J2Implicit(const J2Parameters& parameters) : J2Law(parameters), elasticity_(parameters.elasticity) {}
+    explicit J2Implicit(const J2Parameters& parameters)
+        : J2Law(parameters), elasticity_(parameters.elasticity), law_(parameters, elasticity_.rates) {}
 
 private:
     void return_points(const J2Update& update, int points, int stride) const override;
 
     DeviatoricElasticity elasticity_;
+    ReturnLaw law_;
 };
 
 }  // namespace stria::fine

@@ -2,16 +2,18 @@
 // stress lies on the yield surface, with any isotropic hardening and any back stresses.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "common/error.hpp"
 #include "fine/material/implicit/plane_deviators.hpp"
+#include "fine/material/implicit/return_law.hpp"
 #include "fine/material/j2_pack.hpp"
 
 namespace stria::fine {
 
-/// Deviatoric stress, back stresses and p of a pack; or what they change by.
+/// Deviatoric stress less Prager's back stresses, the other back stresses and p of a pack; or what they change by.
 template <int rows> struct PackState {
     Deviators<rows> stress;
     std::vector<Deviators<rows>> back;
@@ -21,6 +23,16 @@ template <int rows> struct PackState {
         stress.setZero();
         back.assign(back_stresses, Deviators<rows>::Zero());
         p.setZero();
+    }
+
+    /// Of the points at a place of `field`, components as of the law's state.
+    void put(const ReturnLaw& law, PackPlace<rows> at, const double* field) {
+        const auto deviator = [&](int first) { return deviators_of<rows>(at.tensors(field, first)); };
+        stress = deviator(state::stress);
+        for (const int first : law.linear) stress -= deviator(first);
+        back.resize(law.back_stresses.size());
+        std::ranges::transform(law.back_stresses, back.begin(), deviator);
+        p = at.scalars(field, state::accumulated);
     }
 };
 
@@ -82,7 +94,7 @@ template <int rows> struct ReturnAt {
     Scalars<rows> Y, Y_slope;            // MPa; by dp
     Scalars<rows> lambda, lambda_slope;  // 1/MPa
     std::vector<Recalled<rows>> back;
-    DeviatorOperator<rows> rate;  // MPa: the elastic one and what back stresses follow by, by d(eps_p)
+    DeviatorOperator<rows> rate;  // MPa: of the law and what back stresses follow by, by d(eps_p)
     EasedBy<rows> eased;          // by 1 + lambda rate
     Deviators<rows> xi, xi_slope;
     Scalars<rows> equivalent, equivalent_slope;  // sqrt(3/2) |xi|
@@ -92,18 +104,33 @@ template <int rows> struct ReturnAt {
 /// Newton's method takes 2 to 4 steps, and after so many the one metric that bounds its curvature leads there surely.
 inline constexpr int newton_steps = 20, most_steps = 2000;
 
+/// 1 - Y / q and its derivative by dp. Nearly straight: Y / q is linear in dp without recall and with linear hardening,
+/// in plane strain.
+template <int rows> struct Residual {
+    Scalars<rows> value, slope;
+
+    Residual(const Scalars<rows>& Y, const Scalars<rows>& Y_slope, const Scalars<rows>& q,
+             const Scalars<rows>& q_slope) {
+        const Scalars<rows> per_q = 1.0 / q;
+        value = 1.0 - Y * per_q;
+        slope = (Y * q_slope * per_q - Y_slope) * per_q;
+    }
+};
+
 template <int rows> class PartReturn {
 public:
-    /// `rates`: of elasticity on the three deviators, MPa. The arguments must outlive the return.
-    PartReturn(const J2Parameters& law, const Eigen::Array3d& rates, const PackState<rows>& before,
+    /// The arguments must outlive the return.
+    PartReturn(const J2Parameters& parameters, const ReturnLaw& law, const PackState<rows>& before,
                const Deviators<rows>& trial)
-        : law_(law), thresholds_(law.has_thresholds()), rates_(rates), before_(before), trial_(trial) {}
+        : parameters_(parameters), law_(law), before_(before), trial_(trial) {}
 
     /// dp of the points that flow, 0 of the others, and the return at it: the root of 1 - Y / q, nearly a straight
     /// line, between bounds.
     [[nodiscard]] Scalars<rows> find(ReturnAt<rows>& now) const;
 
 private:
+    [[nodiscard]] Residual<rows> residual_at(const Scalars<rows>& dp, ReturnAt<rows>& now) const;
+    [[nodiscard]] Residual<rows> residual_of_trial(const Scalars<rows>& dp) const;
     void put(const Scalars<rows>& dp, ReturnAt<rows>& now) const;
     void put_at_Y(const Scalars<rows>& dp, ReturnAt<rows>& now) const;
     void put_relative_stress(ReturnAt<rows>& now) const;
@@ -111,31 +138,30 @@ private:
     void put_back_stresses(ReturnAt<rows>& now) const;
     [[nodiscard]] Deviators<rows> next_relative_stress(ReturnAt<rows>& now, bool surely) const;
 
-    /// More than any dp: with it the elastic part of the return alone would bring all stress below Y.
+    /// More than any dp: with it the return would bring all stress below Y if nothing were recalled.
     [[nodiscard]] Scalars<rows> most() const {
         Scalars<rows> sum = equivalent<rows>(trial_);
         for (const Deviators<rows>& back : before_.back) sum += equivalent<rows>(back);
-        return sum / (1.5 * rates_.minCoeff());
+        return sum / (1.5 * law_.rates.minCoeff());
     }
 
-    const J2Parameters& law_;
-    bool thresholds_;
-    const Eigen::Array3d& rates_;
+    const J2Parameters& parameters_;
+    const ReturnLaw& law_;
     const PackState<rows>& before_;
     const Deviators<rows>& trial_;
 };
 
 template <int rows> void PartReturn<rows>::put_back_stresses(ReturnAt<rows>& now) const {
     const Deviators<rows> plastic = now.xi * now.lambda;
-    for (std::size_t k = 0; k < law_.kinematic.size(); ++k)
-        now.back[k].put_X(law_.kinematic[k], before_.back[k], plastic);
+    for (std::size_t k = 0; k < law_.recalling.size(); ++k)
+        now.back[k].put_X(law_.recalling[k], before_.back[k], plastic);
 }
 
 /// One step from now.xi, with the derivative there or, `surely`, with one that is nowhere too small.
 template <int rows> Deviators<rows> PartReturn<rows>::next_relative_stress(ReturnAt<rows>& now, bool surely) const {
-    now.rate = DeviatorOperator<rows>(rates_);
+    now.rate = DeviatorOperator<rows>(law_.rates);
     Deviators<rows> rest = trial_;
-    for (std::size_t k = 0; k < law_.kinematic.size(); ++k) {
+    for (std::size_t k = 0; k < law_.recalling.size(); ++k) {
         const Recalled<rows>& back = now.back[k];
         const bool bound = surely && back.has_limit;
         if (bound)
@@ -151,9 +177,9 @@ template <int rows> Deviators<rows> PartReturn<rows>::next_relative_stress(Retur
 
 /// Without thresholds: what is left of back stresses stands beside the trial stress.
 template <int rows> void PartReturn<rows>::solve_relative_stress(ReturnAt<rows>& now) const {
-    now.rate = DeviatorOperator<rows>(rates_);
+    now.rate = DeviatorOperator<rows>(law_.rates);
     Deviators<rows> rest = trial_;
-    for (std::size_t k = 0; k < law_.kinematic.size(); ++k) {
+    for (std::size_t k = 0; k < law_.recalling.size(); ++k) {
         now.rate.add(now.back[k].stiffness * now.back[k].theta);
         rest -= before_.back[k] * now.back[k].theta;
     }
@@ -163,7 +189,7 @@ template <int rows> void PartReturn<rows>::solve_relative_stress(ReturnAt<rows>&
 }
 
 template <int rows> void PartReturn<rows>::put_relative_stress(ReturnAt<rows>& now) const {
-    if (!thresholds_) return solve_relative_stress(now);
+    if (!law_.has_thresholds) return solve_relative_stress(now);
     Mask<rows> searching = Mask<rows>::Constant(true);
     for (int step = 0; searching.any(); ++step) {
         if (step == most_steps) throw NumericalFailure("return mapping: no back stresses found");
@@ -179,8 +205,8 @@ template <int rows> void PartReturn<rows>::put_relative_stress(ReturnAt<rows>& n
 }
 
 template <int rows> void PartReturn<rows>::put(const Scalars<rows>& dp, ReturnAt<rows>& now) const {
-    const HardeningAt<Scalars<rows>> hardening = law_.isotropic.at(Scalars<rows>(before_.p + dp));
-    now.Y = law_.yield_stress + hardening.value;
+    const HardeningAt<Scalars<rows>> hardening = parameters_.isotropic.at(Scalars<rows>(before_.p + dp));
+    now.Y = parameters_.yield_stress + hardening.value;
     now.Y_slope = hardening.slope;
     put_at_Y(dp, now);
 }
@@ -189,7 +215,7 @@ template <int rows> void PartReturn<rows>::put_at_Y(const Scalars<rows>& dp, Ret
     const Scalars<rows> p = before_.p + dp;
     now.lambda = 1.5 * dp / now.Y;
     now.lambda_slope = (1.5 - now.lambda * now.Y_slope) / now.Y;
-    for (std::size_t k = 0; k < now.back.size(); ++k) now.back[k].put_p(law_.kinematic[k], p, dp);
+    for (std::size_t k = 0; k < now.back.size(); ++k) now.back[k].put_p(law_.recalling[k], p, dp);
     put_relative_stress(now);
     Deviators<rows> less = (now.rate * now.xi) * now.lambda_slope;
     for (const Recalled<rows>& back : now.back) less += back.by_dp();
@@ -198,16 +224,26 @@ template <int rows> void PartReturn<rows>::put_at_Y(const Scalars<rows>& dp, Ret
     now.equivalent_slope = 1.5 * dot<rows>(now.xi, now.xi_slope) / now.equivalent;
 }
 
-/// Nearly straight: Y / q is linear in dp without recall and with linear hardening, in plane strain.
-template <int rows> struct Residual {
-    Scalars<rows> value, slope;  // 1 - Y / q; by dp
+template <int rows> Residual<rows> PartReturn<rows>::residual_at(const Scalars<rows>& dp, ReturnAt<rows>& now) const {
+    if (law_.recalling.empty()) return residual_of_trial(dp);
+    put(dp, now);
+    return {now.Y, now.Y_slope, now.equivalent, now.equivalent_slope};
+}
 
-    explicit Residual(const ReturnAt<rows>& now) {
-        const Scalars<rows> per_q = 1.0 / now.equivalent;
-        value = 1.0 - now.Y * per_q;
-        slope = (now.Y * now.equivalent_slope * per_q - now.Y_slope) * per_q;
+/// Where nothing recalls xi is the trial stress, eased: of the whole return its size is enough.
+template <int rows> Residual<rows> PartReturn<rows>::residual_of_trial(const Scalars<rows>& dp) const {
+    const HardeningAt<Scalars<rows>> hardening = parameters_.isotropic.at(Scalars<rows>(before_.p + dp));
+    const Scalars<rows> Y = parameters_.yield_stress + hardening.value, per_Y = 1.0 / Y, lambda = 1.5 * dp * per_Y,
+                        lambda_slope = (1.5 - lambda * hardening.slope) * per_Y;
+    Scalars<rows> size = Scalars<rows>::Zero(), slope = size;  // xi : xi and -1/2 of its derivative by lambda
+    for (int i = 0; i < 3; ++i) {
+        const Scalars<rows> eased = 1.0 / (1.0 + law_.rates[i] * lambda), square = (trial_.col(i) * eased).square();
+        size += square;
+        slope += law_.rates[i] * square * eased;
     }
-};
+    const Scalars<rows> q = (1.5 * size).sqrt().max(std::numeric_limits<double>::min());
+    return {Y, hardening.slope, q, -1.5 * slope * lambda_slope / q};
+}
 
 /// The root by the cubic that dp is as a function of the residual at two places, the first of which is dp = 0: of
 /// fourth order where Newton's method from the second one is of second.
@@ -220,30 +256,29 @@ Scalars<rows> root_between(const Residual<rows>& start, const Residual<rows>& th
 /// It takes two or three; a curve with corners may need halvings of the bracket.
 inline constexpr int most_trials = 100;
 
+/// Of the yield surface: as near as this, over its radius, a return is at its end. What flows is farther off.
+inline constexpr double close = 1e-2 * overstress_tolerance;
+
 template <int rows> Scalars<rows> PartReturn<rows>::find(ReturnAt<rows>& now) const {
-    now.back.resize(law_.kinematic.size());
+    now.back.resize(law_.recalling.size());
     now.xi = trial_;
-    Scalars<rows> dp = Scalars<rows>::Zero();
-    put(dp, now);
-    const Mask<rows> flows = now.equivalent > now.Y * (1.0 + overstress_tolerance);
-    Scalars<rows> below = dp, above = most();
-    const Residual<rows> start(now);
-    dp = flows.select(-start.value / start.slope, 0.0);
-    Scalars<rows> last = Scalars<rows>::Zero();
+    const Scalars<rows> none = Scalars<rows>::Zero();
+    const Residual<rows> start = residual_at(none, now);
+    const Mask<rows> flows = start.value > overstress_tolerance;
+    Scalars<rows> dp = flows.select(-start.value / start.slope, 0.0), below = none, above = most();
     Mask<rows> searching = flows;
     for (int iteration = 0; searching.any(); ++iteration) {
         if (iteration == most_trials) throw NumericalFailure("return mapping: no plastic strain increment found");
-        put(dp, now);
-        const Residual<rows> here(now);
+        const Residual<rows> here = residual_at(dp, now);
         below = (searching && here.value > 0.0).select(dp, below);
         above = (searching && here.value <= 0.0).select(dp, above);
         Scalars<rows> next = dp - here.value / here.slope;
-        if (iteration == 0 && !thresholds_) next = root_between<rows>(start, here, dp);
+        if (iteration == 0 && !law_.has_thresholds) next = root_between<rows>(start, here, dp);
         const Mask<rows> inside = next > below && next < above;
-        const Mask<rows> off = searching && !(here.value.abs() <= 1e-15);  // NaN goes on, to the failure
-        last = off.select(inside.select(next, 0.5 * (below + above)) - dp, 0.0);
-        dp += last;
-        searching = off && !(last.abs() <= 1e-8 * dp);  // the error left is the square of the step
+        const Mask<rows> off = searching && !(here.value.abs() <= close);  // NaN goes on, to the failure
+        const Scalars<rows> step = off.select(inside.select(next, 0.5 * (below + above)) - dp, 0.0);
+        dp += step;
+        searching = off && !(step.abs() <= 1e-8 * dp);  // the error left is the square of the step
     }
     put(dp, now);
     return dp;

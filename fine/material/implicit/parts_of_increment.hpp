@@ -15,13 +15,13 @@ template <int rows> class PartsOfIncrement {
 public:
     /// `elastic`: deviatoric elastic stress of the whole increment, by which slopes are, MPa. `flows`: what flows in
     /// it.
-    PartsOfIncrement(const J2Parameters& law, const Eigen::Array3d& rates, const PackState<rows>& before,
+    PartsOfIncrement(const J2Parameters& parameters, const ReturnLaw& law, const PackState<rows>& before,
                      const Deviators<rows>& elastic, const Mask<rows>& flows)
         : elastic_(Scalars<rows>::Ones()), parts_(Scalars<rows>::Ones()) {
-        const Path path(law, before, elastic);
+        const Path path(parameters, before, elastic);
         elastic_ = chosen<rows>(flows, path.elastic, elastic_);
-        put_parts(std::pow(law.error_of_parts(), -2.0) * squared_error(law, rates, before, path), most(law, path),
-                  flows);
+        put_parts(std::pow(parameters.error_of_parts(), -2.0) * squared_error(law, before, path),
+                  most(parameters, path), flows);
     }
 
     /// The share before the yield surface is reached.
@@ -67,23 +67,24 @@ private:
 
     /// Of backward Euler in one step, over the yield stress, squared: half of what the rate of flow, of the stress and
     /// of back stresses, changes by. The direction at the end is guessed from elasticity alone.
-    static WithSlope<rows> squared_error(const J2Parameters& law, const Eigen::Array3d& rates,
-                                         const PackState<rows>& before, const Path& path) {
+    static WithSlope<rows> squared_error(const ReturnLaw& law, const PackState<rows>& before, const Path& path) {
         const WithSlope<rows> one(Scalars<rows>::Ones()), per_radius(1.0 / path.radius);
         const WithSlope<rows> beyond = sqrt(dot(path.trial, path.trial)) * per_radius - one;
-        const double fastest = rates.maxCoeff() + 2.0 / 3.0 * law.prager_modulus();
+        const double fastest = law.first_rates.maxCoeff();
         DeviatorWithSlope<rows> end = path.trial;
         for (int i = 0; i < 3; ++i)
-            end[stria::at(i)] =
-                end[stria::at(i)] / (one + ((rates[i] + 2.0 / 3.0 * law.prager_modulus()) / fastest) * beyond);
+            end[stria::at(i)] = end[stria::at(i)] / (one + (law.first_rates[i] / fastest) * beyond);
         end = (one / sqrt(dot(end, end))) * end;
         const DeviatorWithSlope<rows> turn = end - per_radius * path.reached;
         const DeviatorWithSlope<rows> of_stress = (0.5 * beyond) * turn;
-        WithSlope<rows> sum = dot(of_stress, of_stress);
         const WithSlope<rows> dp = std::sqrt(2.0 / 3.0) / fastest * (beyond * WithSlope<rows>(path.radius));
-        for (std::size_t k = 0; k < law.kinematic.size(); ++k) {
-            const DeviatorWithSlope<rows> lag = lag_of(law.kinematic[k], before.back[k], dp, end, turn);
-            const WithSlope<rows> per(0.5 / path.radius);
+        const WithSlope<rows> per(0.5 / path.radius), grown = std::sqrt(2.0 / 3.0) * dp;
+        double linear = 0.0;
+        for (const double C : law.linear_C) linear += C * C;
+        WithSlope<rows> sum = dot(of_stress, of_stress);
+        if (linear > 0.0) sum = sum + linear * (per * per * grown * grown * dot(turn, turn));
+        for (std::size_t k = 0; k < law.recalling.size(); ++k) {
+            const DeviatorWithSlope<rows> lag = lag_of(law.recalling[k], before.back[k], dp, end, turn);
             sum = sum + per * per * dot(lag, lag);
         }
         return sum;

@@ -68,16 +68,13 @@ protected:
         const Law& law = GetParam();
         const fine::J2Parameters parameters = parameters_of(law, 4);
         const fine::DeviatoricElasticity elasticity(parameters.elasticity);
+        const fine::ReturnLaw returned(parameters, elasticity.rates);
         const fine::PackPlace<1> here{1, 0};
-        const auto deviator = [&](const double* field, int component) -> fine::Deviators<1> {
-            return fine::deviators_of<1>(here.tensors(field, component));
-        };
-        fine::PackState<1> state{.stress = deviator(committed.data(), fine::state::stress), .back = {}, .p = {}};
-        state.p.setConstant(committed[at(fine::state::accumulated)]);
-        for (int k = 0; k < static_cast<int>(law.material.kinematic.size()); ++k)
-            state.back.push_back(deviator(committed.data(), fine::state::back_stress + 4 * k));
+        fine::PackState<1> state;
+        state.put(returned, here, committed.data());
         const Mandel elastic = elasticity.stiffness * increment;
-        return fine::PartsOfIncrement<1>(parameters, elasticity.rates, state, deviator(elastic.data(), 0),
+        return fine::PartsOfIncrement<1>(parameters, returned, state,
+                                         fine::deviators_of<1>(here.tensors(elastic.data(), 0)),
                                          fine::Mask<1>::Constant(true))
             .count();
     }
