@@ -36,8 +36,8 @@ std::vector<double> strain_increments(double flowing_share) {
     return increments;
 }
 
-void return_mapping(benchmark::State& run) {
-    const auto law = fine::make_material_law(material_of(static_cast<int>(run.range(1))), PlaneState::Strain);
+void update_points(benchmark::State& run, PlaneState plane, int substeps) {
+    const auto law = fine::make_material_law(material_of(static_cast<int>(run.range(1))), plane, substeps);
     const auto size = at(law->state_size()) * points;
     const auto increments = strain_increments(static_cast<double>(run.range(0)) / 100.0);
     const std::vector<double> committed(size, 0.0);
@@ -54,6 +54,13 @@ void return_mapping(benchmark::State& run) {
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+/// In plane strain, where a return is exact.
+void return_mapping(benchmark::State& run) { update_points(run, PlaneState::Strain, 1); }
+
+/// In plane stress, within an error bound.
+void return_in_parts(benchmark::State& run) { update_points(run, PlaneState::Stress, 4); }
+
 }  // namespace
 
+BENCHMARK(return_in_parts)->ArgNames({"flowing_percent", "back_stresses"})->ArgsProduct({{100}, {0, 1, 2}});
 BENCHMARK(return_mapping)->ArgNames({"flowing_percent", "back_stresses"})->ArgsProduct({{0, 5, 50, 100}, {0, 1, 2}});
