@@ -109,12 +109,9 @@ inline constexpr int newton_steps = 20, most_steps = 2000;
 template <int rows> struct Residual {
     Scalars<rows> value, slope;
 
-    Residual(const Scalars<rows>& Y, const Scalars<rows>& Y_slope, const Scalars<rows>& q,
-             const Scalars<rows>& q_slope) {
-        const Scalars<rows> per_q = 1.0 / q;
-        value = 1.0 - Y * per_q;
-        slope = (Y * q_slope * per_q - Y_slope) * per_q;
-    }
+    Residual(const Scalars<rows>& Y, const Scalars<rows>& Y_slope, const Scalars<rows>& per_q,
+             const Scalars<rows>& Y_times_q_slope)
+        : value(1.0 - Y * per_q), slope((Y_times_q_slope * per_q - Y_slope) * per_q) {}
 };
 
 template <int rows> class PartReturn {
@@ -122,7 +119,8 @@ public:
     /// The arguments must outlive the return.
     PartReturn(const J2Parameters& parameters, const ReturnLaw& law, const PackState<rows>& before,
                const Deviators<rows>& trial)
-        : parameters_(parameters), law_(law), before_(before), trial_(trial) {}
+        : parameters_(parameters), law_(law), before_(before), trial_(trial), trial_zz_(trial.col(0).square()),
+          trial_shear_(trial.col(1).square() + trial.col(2).square()) {}
 
     /// dp of the points that flow, 0 of the others, and the return at it: the root of 1 - Y / q, nearly a straight
     /// line, between bounds.
@@ -149,6 +147,7 @@ private:
     const ReturnLaw& law_;
     const PackState<rows>& before_;
     const Deviators<rows>& trial_;
+    Scalars<rows> trial_zz_, trial_shear_;  // the two parts of its square that ease each in its way, MPa2
 };
 
 template <int rows> void PartReturn<rows>::put_back_stresses(ReturnAt<rows>& now) const {
@@ -227,22 +226,21 @@ template <int rows> void PartReturn<rows>::put_at_Y(const Scalars<rows>& dp, Ret
 template <int rows> Residual<rows> PartReturn<rows>::residual_at(const Scalars<rows>& dp, ReturnAt<rows>& now) const {
     if (law_.recalling.empty()) return residual_of_trial(dp);
     put(dp, now);
-    return {now.Y, now.Y_slope, now.equivalent, now.equivalent_slope};
+    return {now.Y, now.Y_slope, 1.0 / now.equivalent, now.Y * now.equivalent_slope};
 }
 
-/// Where nothing recalls xi is the trial stress, eased: of the whole return its size is enough.
+/// Where nothing recalls xi is the trial stress, eased by 1 + lambda rate = (Y + 3/2 rate dp) / Y: of the whole return
+/// its size is enough.
 template <int rows> Residual<rows> PartReturn<rows>::residual_of_trial(const Scalars<rows>& dp) const {
     const HardeningAt<Scalars<rows>> hardening = parameters_.isotropic.at(Scalars<rows>(before_.p + dp));
-    const Scalars<rows> Y = parameters_.yield_stress + hardening.value, per_Y = 1.0 / Y, lambda = 1.5 * dp * per_Y,
-                        lambda_slope = (1.5 - lambda * hardening.slope) * per_Y;
-    Scalars<rows> size = Scalars<rows>::Zero(), slope = size;  // xi : xi and -1/2 of its derivative by lambda
-    for (int i = 0; i < 3; ++i) {
-        const Scalars<rows> eased = 1.0 / (1.0 + law_.rates[i] * lambda), square = (trial_.col(i) * eased).square();
-        size += square;
-        slope += law_.rates[i] * square * eased;
-    }
-    const Scalars<rows> q = (1.5 * size).sqrt().max(std::numeric_limits<double>::min());
-    return {Y, hardening.slope, q, -1.5 * slope * lambda_slope / q};
+    const double zz_rate = law_.rates[0], shear_rate = law_.rates[1];  // and rates[2]: isotropy
+    const Scalars<rows> Y = parameters_.yield_stress + hardening.value, zz_sum = Y + (1.5 * zz_rate) * dp,
+                        shear_sum = Y + (1.5 * shear_rate) * dp, per_both = 1.0 / (zz_sum * shear_sum),
+                        per_zz = shear_sum * per_both, per_shear = zz_sum * per_both,
+                        zz = trial_zz_ * (Y * per_zz).square(), shear = trial_shear_ * (Y * per_shear).square(),
+                        per_q = 1.0 / (1.5 * (zz + shear)).sqrt().max(std::numeric_limits<double>::min()),
+                        eased_by_dp = zz_rate * zz * per_zz + shear_rate * shear * per_shear;
+    return {Y, hardening.slope, per_q, -2.25 * (Y - dp * hardening.slope) * eased_by_dp * per_q};
 }
 
 /// The root by the cubic that dp is as a function of the residual at two places, the first of which is dp = 0: of

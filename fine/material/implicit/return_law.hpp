@@ -18,7 +18,7 @@ struct ReturnLaw {
     std::vector<int> linear, back_stresses;     // where in the state a linear one begins, and a recalling one
     std::vector<KinematicHardening> recalling;  // as back_stresses
     bool has_thresholds;
-    Eigen::Array3d rates;        // MPa, on the three deviators: see lost()
+    Eigen::Array3d rates;        // MPa, on the three deviators, the last two of which are alike: see lost()
     Eigen::Array3d first_rates;  // MPa: likewise, with all back stresses, as long as nothing is recalled
 
     /// What a plastic strain takes of the stress less Prager's back stresses, MPa.
