@@ -1,5 +1,6 @@
 #include "coarse/analysis/K_at_extremes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -26,10 +27,16 @@ double sign_of_load(const ReachedExtremes& reached) {
 
 std::vector<TipResult> K_at_maximum(const CrackedBody& body, const ReachedExtremes& reached) {
     const bool one_load = is_of_one_load(body, reached);
-    std::vector<TipResult> nominal = nominal_under(one_load ? sign_of_load(reached) : reached.maximum, body.nominal());
+    return nominal_under(one_load ? sign_of_load(reached) : reached.maximum, body.nominal());
+}
+
+std::vector<TipResult> K_that_turns(const CrackedBody& body, const ReachedExtremes& reached) {
+    std::vector<TipResult> nominal = K_at_maximum(body, reached);
     if (reached.tips.empty()) return nominal;
-    const Scene& present = body.scene();
-    return directing(present.input.cracks, present.enriched.tips, std::move(nominal), reached.tips);
+    std::vector<double> largest = sizes_of(nominal_under(reached.maximum, body.nominal()));
+    const std::vector<double> at_minimum = sizes_of(nominal_under(reached.minimum, body.nominal()));
+    for (std::size_t t = 0; t < largest.size(); ++t) largest[t] = std::max(largest[t], at_minimum[t]);
+    return directing(std::move(nominal), reached.tips, largest);
 }
 
 std::vector<TipResult> K_at_minimum(const CrackedBody& body, const ReachedExtremes& reached) {

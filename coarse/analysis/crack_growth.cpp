@@ -77,14 +77,15 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
     if (!is_prescribed(growth_) && last.empty()) return {};  // no cycle has told a rate yet
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
-    const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
+    const std::vector<TipResult> guides = K_that_turns(body, extremes_);
     const std::set<std::size_t> started = start_by_turns(body, guides, last);
     GrownScene grown;
     if (!is_over(nominal, last)) {
         if (!rates_.are_of_a_whole_period()) return {};
         grown = along_first_of(body, ways(present, guides, last));
-        if (grown.longer) note_turns(body, *grown.longer, guides, last, started);
+        if (grown.longer) note_turns(body, *grown.longer, last, started);
         if (grown.longer) note_functions(present.enriched, *grown.longer);
+        for (const std::string& text : turn_blindly(growth_.direction, guides, extremes_.tips)) note_(text);
     }
     ended_ = !grown.longer;
     if (grown.longer) {
@@ -183,16 +184,16 @@ std::set<std::size_t> CrackGrowth::start_by_turns(const CrackedBody& body, const
     return started;
 }
 
-// Where the cycles that follow are other ones their rates are too.
-void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
-                             const std::vector<CycleResult>& last, const std::set<std::size_t>& started) {
+// Where the cycles that follow are other ones their rates are too. Rates are those of nominal K, before and behind.
+void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const std::vector<CycleResult>& last,
+                             const std::set<std::size_t>& started) {
     if (is_prescribed(growth_) || last.empty() || rates_.end_with_the_cycle()) return;
-    const std::vector<TipResult> least = K_at_minimum(body, extremes_);
+    const std::vector<TipResult> most = K_at_maximum(body, extremes_), least = K_at_minimum(body, extremes_);
     std::vector<SharpTurn> turns;
     for (std::size_t t = 0; t < last.size(); ++t) {
         const double angle = turn_of(body.scene().enriched.tips[t], longer.input.cracks);
         if (std::abs(angle) > sharp_turn && !started.contains(t))
-            turns.push_back({t, leap_at_turn(growth_, last[t], {guides[t], least[t]}, angle)});
+            turns.push_back({t, leap_at_turn(growth_, last[t], {most[t], least[t]}, angle)});
     }
     rates_.leap(turns);
 }

@@ -81,8 +81,8 @@ private:
     std::set<std::size_t> start_by_turns(const CrackedBody& body, const std::vector<TipResult>& guides,
                                          const std::vector<CycleResult>& last);
     /// That the rates of tips that turn sharply leap, but for those that a turn has `started`.
-    void note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
-                    const std::vector<CycleResult>& last, const std::set<std::size_t>& started);
+    void note_turns(const CrackedBody& body, const Scene& longer, const std::vector<CycleResult>& last,
+                    const std::set<std::size_t>& started);
     /// Where functions come to stand at the tips, or stand there no longer; and of each tip once where its functions
     /// are not retained as they are to be.
     void note_functions(const EnrichedMesh& before, const Scene& longer);

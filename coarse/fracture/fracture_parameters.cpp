@@ -34,7 +34,7 @@ TipResult at_place_of(const Scene& scene, const Tip& tip) {
 
 /// One ring's parameters.
 struct RingValues {
-    double J, K_I, K_II, T_stress;
+    double J, K_I, K_II, K_I_of_wake, K_II_of_wake, T_stress;
 };
 
 /// The point force of the interaction integral tells E' du_1/dx_1. With an initial stress T is this and what the strain
@@ -52,8 +52,13 @@ double T_of_initial_stress(const Scene& scene, const Tip& tip) {
 /// `T_initial`: what T has of the initial stress, MPa.
 RingValues values_of(const DomainIntegral& of_ring, double plane_modulus, double T_initial) {
     const DomainIntegral sum = of_ring.without_rotation();
-    return {sum.J, plane_modulus / 2.0 * sum.interaction_I, plane_modulus / 2.0 * sum.interaction_II,
-            plane_modulus * sum.interaction_T + T_initial};
+    const double K = plane_modulus / 2.0;  // of an interaction
+    return {.J = sum.J,
+            .K_I = K * sum.interaction_I,
+            .K_II = K * sum.interaction_II,
+            .K_I_of_wake = K * sum.wake_I,
+            .K_II_of_wake = K * sum.wake_II,
+            .T_stress = plane_modulus * sum.interaction_T + T_initial};
 }
 
 std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainIntegral> total,
@@ -96,6 +101,8 @@ void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>&
     const RingValues& chosen = elastic.empty() ? values[at(farthest)] : elastic.front();
     result.K_I = chosen.K_I;
     result.K_II = chosen.K_II;
+    result.K_I_of_wake = chosen.K_I_of_wake;
+    result.K_II_of_wake = chosen.K_II_of_wake;
     result.T_stress = chosen.T_stress;
     const double K = std::hypot(chosen.K_I, chosen.K_II);
     result.K_spread = std::max(spread(elastic, &RingValues::K_I, K), spread(elastic, &RingValues::K_II, K));

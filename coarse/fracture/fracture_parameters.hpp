@@ -14,15 +14,16 @@
 namespace stria::coarse {
 
 struct TipResult {
-    double a = 0.0;                         // mm, docs/method.md, section 9
-    double x = 0.0, y = 0.0;                // of the tip, mm
-    double way = 0.0;                       // along the crack to there, mm (way_to_tip)
-    double K_I = 0.0, K_II = 0.0;           // MPa sqrt(mm)
-    double T_stress = 0.0;                  // MPa
-    double J = 0.0;                         // N/mm
-    double J_spread = 0.0, K_spread = 0.0;  // over the rings; NaN where fewer than two tell
-    bool rings_flow = false;                // every ring holds a point that has flowed: K, T are no elastic ones
-    double CTOD = 0.0, CMOD = 0.0;          // mm
+    double a = 0.0;                                // mm, docs/method.md, section 9
+    double x = 0.0, y = 0.0;                       // of the tip, mm
+    double way = 0.0;                              // along the crack to there, mm (way_to_tip)
+    double K_I = 0.0, K_II = 0.0;                  // MPa sqrt(mm)
+    double K_I_of_wake = 0.0, K_II_of_wake = 0.0;  // of these: of faces pressed in metal that has flowed
+    double T_stress = 0.0;                         // MPa
+    double J = 0.0;                                // N/mm
+    double J_spread = 0.0, K_spread = 0.0;         // over the rings; NaN where fewer than two tell
+    bool rings_flow = false;                       // every ring holds a point that has flowed: K, T are no elastic ones
+    double CTOD = 0.0, CMOD = 0.0;                 // mm
     double opening = std::numeric_limits<double>::quiet_NaN();  // mm, at a stated distance behind the tip
     double contact_length = 0.0;                                // mm
     double plastic_zone = 0.0, plastic_zone_axis = 0.0;         // mm

@@ -17,10 +17,6 @@ namespace stria::coarse {
 
 namespace {
 
-constexpr double no_field = 1e-6;  // of the K of a unit load: faces that touch without a load leave rounding
-
-double size_of(const TipResult& tip) { return std::hypot(tip.K_I, tip.K_II); }
-
 /// From the edge over which a crack has come into the element of its tip to the tip, mm; that of faces that end there,
 /// too. Infinite where it has come over none.
 double behind_edge(const EnrichedMesh& mesh, const Tip& tip) {
@@ -179,14 +175,21 @@ std::vector<std::vector<CrackSection>> turned_at_ends_of_edges(std::vector<Crack
     return {std::move(longer)};
 }
 
-std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
-                                 std::vector<TipResult> nominal, const std::vector<TipResult>& reached) {
+TipResult loaded_by(TipResult reached) {
+    reached.K_I -= reached.K_I_of_wake;
+    reached.K_II -= reached.K_II_of_wake;
+    return reached;
+}
+
+std::vector<TipResult> directing(std::vector<TipResult> nominal, const std::vector<TipResult>& reached,
+                                 const std::vector<double>& largest) {
+    constexpr double nothing = 0.005;  // of the largest K; less than nothing of K_I, too: that is a tip pressed shut
+    if (std::ranges::none_of(reached, [](const TipResult& tip) { return tip.contact_length > 0.0; })) return nominal;
     for (std::size_t t = 0; t < nominal.size(); ++t) {
-        const std::optional<ContactSection>& contact = cracks[at(tips[t].crack)].contact;
-        const bool touches = reached[t].contact_length > 0.0 && size_of(reached[t]) > no_field * size_of(nominal[t]);
-        if (!contact || contact->friction == 0.0 || !touches || reached[t].rings_flow) continue;
-        nominal[t].K_I = std::max(reached[t].K_I, 0.0);  // closed faces leave the rounding of one
-        nominal[t].K_II = reached[t].K_II;
+        const TipResult tip = loaded_by(reached[t]);
+        if (tip.rings_flow || std::max(tip.K_I, std::abs(tip.K_II)) <= nothing * largest[t]) continue;
+        nominal[t].K_I = tip.K_I;
+        nominal[t].K_II = tip.K_II;
     }
     return nominal;
 }

@@ -49,12 +49,16 @@ void turn_where_faces_end(std::vector<CrackSection>& longer, const EnrichedMesh&
 [[nodiscard]] std::vector<std::vector<CrackSection>> turned_at_ends_of_edges(std::vector<CrackSection> longer,
                                                                              const EnrichedMesh& mesh);
 
-/// What tells each tip its direction: the nominal K, of faces without tractions; where faces with friction touch, the K
-/// of the solution that has been reached, which knows the shear that they transmit. Not where that is nothing, as
-/// without a load; nor where no ring of the tip lies outside what has flowed: then it is no elastic K. One per tip
-/// each.
-[[nodiscard]] std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
-                                               std::vector<TipResult> nominal, const std::vector<TipResult>& reached);
+/// What tells each tip its direction: the nominal K, of faces without tractions; where faces touch, of this crack or
+/// another one, the K of the solution that has been reached, which knows what they bear. It is that of the loads and of
+/// faces in elastic metal: a wake presses on itself, as stretched as it is, and is no load on the tip. Not where that K
+/// is next to nothing beside the `largest` nominal one of a cycle, as without a load; nor where no ring of the tip lies
+/// outside what has flowed: then it is no elastic K. One per tip each.
+[[nodiscard]] std::vector<TipResult> directing(std::vector<TipResult> nominal, const std::vector<TipResult>& reached,
+                                               const std::vector<double>& largest);
+
+/// The K of what loads a tip in the solution that has been reached: directing().
+[[nodiscard]] TipResult loaded_by(TipResult reached);
 
 /// The cracks with each tip advanced by its length, mm, along its growth direction. `tips`, `directing`, `advance_by`
 /// and `elements`, the edges of the tips' elements, mm: one per tip.

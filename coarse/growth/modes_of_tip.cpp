@@ -26,10 +26,15 @@ std::vector<TipResult> nominal_under(const LoadFactors& loads, std::vector<TipRe
     return nominal;
 }
 
+std::vector<double> sizes_of(const std::vector<TipResult>& nominal) {
+    std::vector<double> sizes;
+    for (const TipResult& tip : nominal) sizes.push_back(std::hypot(tip.K_I, tip.K_II));
+    return sizes;
+}
+
 std::vector<ModesOfTip> modes_let_through(const Scene& present, const std::vector<TipResult>& nominal,
                                           const LoadFactors& loads, const std::vector<TipResult>& measured) {
-    const std::vector<TipResult> all = nominal_under(loads, nominal),
-                                 told = directing(present.input.cracks, present.enriched.tips, all, measured);
+    const std::vector<TipResult> all = nominal_under(loads, nominal), told = directing(all, measured, sizes_of(all));
     std::vector<ModesOfTip> modes;
     for (std::size_t t = 0; t < all.size(); ++t) {
         const bool hidden = is_rough(present.input.cracks[at(present.enriched.tips[t].crack)]) &&

@@ -24,6 +24,9 @@ struct ModesOfTip {
 /// Nominal K of tips under loads, both modes: of faces without tractions.
 [[nodiscard]] std::vector<TipResult> nominal_under(const LoadFactors& loads, std::vector<TipResult> nominal);
 
+/// Of both modes together, one per tip, MPa sqrt(mm).
+[[nodiscard]] std::vector<double> sizes_of(const std::vector<TipResult>& nominal);
+
 /// Under loads that have been reached, with the `measured` K of each tip.
 [[nodiscard]] std::vector<ModesOfTip> modes_let_through(const Scene& present, const std::vector<TipResult>& nominal,
                                                         const LoadFactors& loads,

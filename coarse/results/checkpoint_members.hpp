@@ -68,14 +68,17 @@ void members(auto& archive, Is<CycleResult> auto& m) {
 }
 
 void members(auto& archive, Is<TipResult> auto& m) {
-    auto& [a, x, y, way, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length,
-           plastic_zone, plastic_zone_axis, K_initial, K_II_initial, K_I_of_cases, K_II_of_cases] = m;
+    auto& [a, x, y, way, K_I, K_II, K_I_of_wake, K_II_of_wake, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD,
+           opening, contact_length, plastic_zone, plastic_zone_axis, K_initial, K_II_initial, K_I_of_cases,
+           K_II_of_cases] = m;
     archive("a", a);
     archive("x", x);
     archive("y", y);
     archive("way", way);
     archive("K_I", K_I);
     archive("K_II", K_II);
+    archive("K_I_of_wake", K_I_of_wake);
+    archive("K_II_of_wake", K_II_of_wake);
     archive("T_stress", T_stress);
     archive("J", J);
     archive("J_spread", J_spread);

@@ -71,6 +71,7 @@ public:
     struct FaceLoad {
         double pressure, shear;  // MPa
         double opening_slope, slip_slope;
+        bool in_wake = false;  // of metal that has flowed
     };
     void add_faces(const FaceStation& station, const FaceLoad& load);
 

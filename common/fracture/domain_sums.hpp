@@ -12,6 +12,8 @@ struct DomainIntegral {
     double area = 0.0, rotation = 0.0;                       // mm2: the integrals of 1 and of (u_y,x - u_x,y) / 2
     double turned_I = 0.0, turned_II = 0.0, turned_T = 0.0;  // interactions of the rotation by 1
 
+    double wake_I = 0.0, wake_II = 0.0;  // of the interactions: what faces add that are pressed in a wake
+
     DomainIntegral& operator+=(const DomainIntegral& other) {
         J += other.J;
         interaction_I += other.interaction_I;
@@ -22,6 +24,8 @@ struct DomainIntegral {
         turned_I += other.turned_I;
         turned_II += other.turned_II;
         turned_T += other.turned_T;
+        wake_I += other.wake_I;
+        wake_II += other.wake_II;
         return *this;
     }
 

@@ -120,8 +120,10 @@ void fields(auto& wire, Is<FaceSample> auto& m) {
 }
 
 void fields(auto& wire, Is<DomainIntegral> auto& m) {
-    auto& [J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II, turned_T] = m;
-    wire(J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II, turned_T);
+    auto& [J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II, turned_T, wake_I,
+           wake_II] = m;
+    wire(J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II, turned_T, wake_I,
+         wake_II);
 }
 
 void fields(auto& wire, Is<RingReport> auto& m) {

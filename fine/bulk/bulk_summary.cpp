@@ -65,6 +65,11 @@ double BulkSummary::sum(const std::vector<double>& of_elements) {
     return std::accumulate(of_elements.begin(), of_elements.end(), 0.0);
 }
 
+bool BulkSummary::has_flowed(int e) const {
+    return std::ranges::any_of(std::span(extents_).subspan(tips_ * at(e), tips_),
+                               [](const Extent& extent) { return extent.ever > 0.0; });
+}
+
 std::vector<BulkSummary::PlasticExtent> BulkSummary::plastic_extents(const EnrichedMesh& mesh) const {
     std::vector<PlasticExtent> all(tips_);
     for (std::size_t i = 0; i < extents_.size(); ++i) {

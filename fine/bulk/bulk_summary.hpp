@@ -26,6 +26,8 @@ public:
     [[nodiscard]] double dissipation() const { return sum(dissipation_); }  // N
     /// But for what elements at rest have stored since they came to rest, N.
     [[nodiscard]] double stored_energy() const { return sum(stored_) + sum(stored_ahead_); }
+    /// An element about a tip holds a point that has ever flowed.
+    [[nodiscard]] bool has_flowed(int e) const;
     /// How far plasticity reaches from a tip of the mesh. A point belongs to the tip that is nearest to it, and to no
     /// other one.
     struct PlasticExtent {

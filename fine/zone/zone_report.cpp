@@ -49,8 +49,11 @@ void add_tractions(RingSums& sums, const CommittedZone& zone, const std::vector<
         if (!(pressure > 0.0)) continue;
         // The faces follow all of the jump: of closed ones the unknowns open as much as the frozen functions shut.
         const Vec2 frozen = zone.frozen.slope(station.crack, station.x);
-        sums.add_faces(station, {pressure, shear, station.opening_slope(u) + frozen.dot(station.normal),
-                                 station.slip_slope(u) + frozen.dot(station.tangent)});
+        sums.add_faces(station, {.pressure = pressure,
+                                 .shear = shear,
+                                 .opening_slope = station.opening_slope(u) + frozen.dot(station.normal),
+                                 .slip_slope = station.slip_slope(u) + frozen.dot(station.tangent),
+                                 .in_wake = zone.summary.has_flowed(station.element)});
     }
 }
 

@@ -98,8 +98,8 @@ private:
 double J_of(const coarse::TipResult& tip) { return std::isnan(tip.J) ? 0.0 : tip.J; }
 
 std::vector<double> numbers_of(const coarse::TipResult& tip) {
-    return {tip.a,    tip.K_I,  tip.K_II,           J_of(tip),        tip.T_stress,
-            tip.CTOD, tip.CMOD, tip.contact_length, tip.plastic_zone, tip.plastic_zone_axis};
+    return {tip.a,        tip.K_I,  tip.K_II, tip.K_I_of_wake,    tip.K_II_of_wake, J_of(tip),
+            tip.T_stress, tip.CTOD, tip.CMOD, tip.contact_length, tip.plastic_zone, tip.plastic_zone_axis};
 }
 
 std::vector<double> numbers_of(const coupling::StepReport& report) {

@@ -210,26 +210,33 @@ TEST(CrackAdvance, HasNoCornerWithinTheTolerance) {
     EXPECT_EQ(turn(1.9e-4, 20.0, 0.2, 1.0), 1.9e-4);
 }
 
-TEST(CrackAdvance, CracksWithFrictionThatTouchGoWhereTheSolutionReachedSays) {
-    const std::vector<CrackSection> cracks{{.points = {}, .contact = ContactSection{0.0}},
-                                           {.points = {}, .contact = ContactSection{0.3}}};
-    std::vector<Tip> tips(2);
-    tips[0].crack = 0;
-    tips[1].crack = 1;
+TEST(CrackAdvance, WhereFacesTouchTipsGoWhereTheSolutionReachedSays) {
     const std::vector<TipResult> nominal{{.K_I = 1.0, .K_II = 2.0}, {.K_I = 1.0, .K_II = 2.0}};
+    const std::vector<double> largest{2.0, 2.0};
     std::vector<TipResult> reached{{.K_I = 5.0, .K_II = 6.0}, {.K_I = -1e-9, .K_II = 0.5}};
-    EXPECT_EQ(directing(cracks, tips, nominal, reached)[1].K_II, 2.0);  // open from end to end
-    reached[0].contact_length = reached[1].contact_length = 0.1;
-    const std::vector<TipResult> chosen = directing(cracks, tips, nominal, reached);
-    EXPECT_EQ(chosen[0].K_I, 1.0);
-    EXPECT_EQ(chosen[0].K_II, 2.0);
-    EXPECT_EQ(chosen[1].K_I, 0.0);
+    EXPECT_EQ(directing(nominal, reached, largest)[1].K_II, 2.0);  // open from end to end
+    reached[1].contact_length = 0.1;                               // of the other crack, too
+    std::vector<TipResult> chosen = directing(nominal, reached, largest);
+    EXPECT_EQ(chosen[0].K_I, 5.0);
+    EXPECT_EQ(chosen[0].K_II, 6.0);
+    EXPECT_EQ(chosen[1].K_I, -1e-9);
     EXPECT_EQ(chosen[1].K_II, 0.5);
     std::vector<TipResult> flowed = reached;
     flowed[1].rings_flow = true;
-    EXPECT_EQ(directing(cracks, tips, nominal, flowed)[1].K_II, 2.0);
-    reached[1].K_II = -1e-12;  // rounding
-    EXPECT_EQ(directing(cracks, tips, nominal, reached)[1].K_II, 2.0);
+    chosen = directing(nominal, flowed, largest);
+    EXPECT_EQ(chosen[0].K_II, 6.0);
+    EXPECT_EQ(chosen[1].K_II, 2.0);
+    reached[1].K_II = 0.009;  // next to nothing
+    EXPECT_EQ(directing(nominal, reached, largest)[1].K_II, 2.0);
+}
+
+TEST(CrackAdvance, AWakeThatTouchesTurnsNoTip) {
+    const std::vector<TipResult> nominal{{.K_I = 1.0, .K_II = 0.5}};
+    const std::vector<TipResult> reached{
+        {.K_I = 1.5, .K_II = 0.25, .K_I_of_wake = 0.5, .K_II_of_wake = -0.25, .contact_length = 0.1}};
+    const std::vector<TipResult> chosen = directing(nominal, reached, {1.0});
+    EXPECT_EQ(chosen[0].K_I, 1.0);
+    EXPECT_EQ(chosen[0].K_II, 0.5);
 }
 
 }  // namespace

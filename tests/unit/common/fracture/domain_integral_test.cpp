@@ -109,6 +109,26 @@ std::vector<DomainIntegral> ring_sums(const EnrichedMesh& mesh, const ExactField
     return {sums.values().begin(), sums.values().end()};
 }
 
+TEST(RingSums, TellWhatFacesInAWakeAdd) {
+    const EnrichedMesh mesh = cracked(square_mesh(9), {{0.0, 0.52}, {0.52, 0.52}});
+    const Tip& tip = mesh.tips.front();
+    const auto pressed = [&](bool in_wake) {
+        RingSums sums(mesh, tip, Elasticity{1000.0, 0.3}, {{0.2, 0.4}}, {});
+        for (const FaceStation& station : face_stations_about(mesh, tip, 2, 4))
+            sums.add_faces(
+                station, {.pressure = 2.0, .shear = 0.3, .opening_slope = 0.0, .slip_slope = 0.0, .in_wake = in_wake});
+        return sums.values().front();
+    };
+    const DomainIntegral in_wake = pressed(true), elsewhere = pressed(false);
+    EXPECT_GT(in_wake.wake_I, 0.0);  // it is a wedge
+    EXPECT_LT(in_wake.wake_II, 0.0);
+    EXPECT_EQ(in_wake.wake_I, in_wake.interaction_I);
+    EXPECT_EQ(in_wake.wake_II, in_wake.interaction_II);
+    EXPECT_EQ(in_wake.interaction_I, elsewhere.interaction_I);
+    EXPECT_EQ(elsewhere.wake_I, 0.0);
+    EXPECT_EQ(elsewhere.wake_II, 0.0);
+}
+
 TEST(RingSums, WithoutItsMeanRotationAFieldLosesNothing) {
     const EnrichedMesh mesh = cracked(distorted(square_mesh(9), 0.01), {{0.0, 0.41}, {0.52, 0.53}});
     const Tip& tip = mesh.tips.front();

@@ -1,0 +1,82 @@
+// Where a crack goes whose faces touch: as the solution says in which they do, with friction and without. What a wake
+// presses on itself with turns nobody.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+/// A plate under compression with a crack at 45 degrees, pressed shut from end to end: it slides, and wings grow.
+Case plate_with_wings(double friction, int cycles) {
+    const std::vector<Vec2> points{{14.0, 14.0}, {26.0, 26.0}};
+    Case input = specimen("plate", 40.0, points);
+    input.mesh.width = 40.0;
+    input.mesh.size = 2.0;
+    input.mesh.grading.clear();
+    for (const Vec2& tip : points)
+        input.mesh.grading.push_back({.at = {tip}, .size = 0.5, .outer_size = 1.0, .radius = 4.0});
+    input.cracks[0].contact = ContactSection{friction};
+    input.fine.enrichment = Enrichment::None;  // or friction chooses other functions
+    input.boundaries = {at_end("top", End::Pulled, -1.0), at_end("bottom", End::Pulled, 1.0)};
+    input.load.blocks = {{.cycles = cycles, .max = 40.0, .min = 0.0}};
+    input.load.steps = 4;
+    input.growth = GrowthSection{.increment = 0.5};
+    return input;
+}
+
+// Without friction they went by the K of faces that pass through each other: 51 degrees in their second step, and 0.5
+// mm astray in the fourth.
+TEST(TouchingTurns, WithoutFrictionAreThoseWithNextToNone) {
+    const RunHistory smooth = run_direct(plate_with_wings(0.0, 3)), rough = run_direct(plate_with_wings(1e-9, 3));
+    for (std::size_t t = 0; t < 2; ++t) {
+        const coarse::TipResult &of_smooth = smooth.increments.back().tips[t],
+                                &of_rough = rough.increments.back().tips[t];
+        EXPECT_NEAR(of_smooth.x, of_rough.x, 1e-6);
+        EXPECT_NEAR(of_smooth.y, of_rough.y, 1e-6);
+    }
+}
+
+// A crack that goes where the hoop stress is largest is left with little K_II.
+TEST(TouchingTurns, LeaveWingsWithoutK_II) {
+    const RunHistory run = run_direct(plate_with_wings(0.0, 5));
+    for (const coarse::TipResult& tip : run.increments.back().tips) {
+        EXPECT_GT(tip.K_I, 50.0);
+        EXPECT_LT(std::abs(tip.K_II), 0.15 * tip.K_I);
+    }
+}
+
+// Behind an overload the wake touches at the maximum of the small cycles. K holds what it presses with, a third of
+// nominal K, and what turns tips does not: it is the same as before the wake touched, but for the length.
+TEST(TouchingTurns, AreNotThoseOfAWakeThatTouches) {
+    Case input =
+        sent_case({"mesh.size=10.0", mesh_at_tip(0.2), "model.plane=stress", "load.steps=8", "growth.increment=0.1",
+                   "load.blocks=[{cycles=2,max=20.0,ratio=0.0},{cycles=1,max=40.0,ratio=0.0},"
+                   "{cycles=4,max=12.0,ratio=0.0}]"});
+    double open = 0.0, farthest = 0.0, largest = 0.0;
+    int closed = 0;
+    for (const Followed& now : run_direct(input).increments) {
+        if (!now.step.at_maximum || now.step.cycle < 4) continue;
+        const coarse::TipResult& tip = now.tips.at(0);
+        EXPECT_FALSE(tip.rings_flow);
+        if (tip.contact_length == 0.0) {
+            EXPECT_EQ(tip.K_I_of_wake, 0.0);
+            open = tip.K_I;
+        } else {
+            ++closed;
+            largest = std::max(largest, tip.K_I / open);
+            farthest = std::max(farthest, std::abs((tip.K_I - tip.K_I_of_wake) / open - 1.0));
+        }
+    }
+    EXPECT_GE(closed, 2);
+    EXPECT_GT(largest, 1.2);
+    EXPECT_LT(farthest, 0.01);
+}
+
+}  // namespace
+}  // namespace stria::test
