@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/crack/crack_crossings.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/fem/centre.hpp"
 #include "common/fem/quadrature.hpp"
@@ -214,10 +215,11 @@ FaceStation face_station_behind(const EnrichedMesh& mesh, const Tip& tip, double
 std::optional<double> arc_length_at(const EnrichedMesh& mesh, int crack, const Vec2& x) {
     for (const CrackPiece& piece : mesh.pieces) {
         if (piece.crack != crack) continue;
+        const double beside = snap_fraction * diagonal(mesh, piece.element);
         for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
             const Vec2 d = piece.points[k + 1] - piece.points[k], to_x = x - piece.points[k];
             const double t = to_x.dot(d) / d.squaredNorm();
-            if (t < -1e-9 || t > 1.0 + 1e-9 || (to_x - t * d).norm() > 1e-9 * d.norm()) continue;
+            if (t < -1e-9 || t > 1.0 + 1e-9 || (to_x - t * d).norm() > beside) continue;
             return piece.s[k] + std::clamp(t, 0.0, 1.0) * (piece.s[k + 1] - piece.s[k]);
         }
     }

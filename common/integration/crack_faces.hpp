@@ -54,7 +54,8 @@ FaceStation face_station_at_mouth(const EnrichedMesh& mesh, int crack);
 /// the distance is none.
 FaceStation face_station_behind(const EnrichedMesh& mesh, const Tip& tip, double distance);
 
-/// The arc length at which a mesh's pieces of a crack hold a place, if they do.
+/// The arc length at which a mesh's pieces of a crack hold a place, if they do. The crack of another mesh may run
+/// beside them by what points are moved onto nodes (snap_fraction).
 std::optional<double> arc_length_at(const EnrichedMesh& mesh, int crack, const Vec2& x);
 
 /// Crack tip opening displacement at the 90 degree intercept: the opening where it equals twice the distance to the

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "coarse/model/mesh_refinement.hpp"
+#include "common/crack/crack_crossings.hpp"
 #include "tests/support/cracked_mesh.hpp"
 
 namespace stria::test {
@@ -32,6 +33,22 @@ TEST(SameUnknowns, AreThoseOfTheSameNodeAndFunction) {
         EXPECT_GT(jumps, 5);
         EXPECT_GT(more, 2);
     }
+}
+
+// Which moves the point behind the tip, and by that its direction. A zone that was extended lost what they held.
+TEST(SameUnknowns, AreThoseOfATipWhoseMouthAFinerMeshHoldsElsewhere) {
+    const Mesh body = square_mesh(4), finer = coarse::refine(body, {{{0.0, 0.25}, {0.0, 0.25}, 0.01, 1, 0.0}}).mesh;
+    const std::vector<Vec2> points{{0.0, 0.25 + 0.6 * snap_fraction * 0.25}, {0.85, 0.4}};
+    const EnrichedMesh before = cracked(body, points, 1), after = cracked(finer, points, 1);
+    ASSERT_NE(before.tips[0].direction, after.tips[0].direction);
+    const std::vector<int> same = same_unknowns(after, before);
+    int of_tip = 0;
+    for (const auto& [node, term, unknown] : after.own_unknowns()) {
+        if (term == 0 || after.terms[at(node)][at(term - 1)].kind == Term::Kind::Heaviside) continue;
+        EXPECT_GE(same[at(unknown)], 0) << node;
+        ++of_tip;
+    }
+    EXPECT_EQ(of_tip, 4);
 }
 
 }  // namespace
