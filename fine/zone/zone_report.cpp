@@ -179,12 +179,12 @@ std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone, const 
     return samples;
 }
 
-/// Length in contact, mm, one per crack.
+/// Length that bears load, mm, one per crack: faces of a body that is free of load touch, and rounding presses them.
 std::vector<double> contact_lengths(const CommittedZone& zone, const Tractions& tractions, std::size_t cracks) {
     std::vector<double> lengths(cracks, 0.0);
     for (std::size_t k = 0; k < tractions.size(); ++k) {
         const FaceStation& station = zone.contact.operators().stations()[k];
-        if (tractions[k].pressure > 0.0) lengths[at(station.crack)] += station.weight;
+        if (tractions[k].pressure > zone.rounding) lengths[at(station.crack)] += station.weight;
     }
     return lengths;
 }

@@ -21,6 +21,7 @@ struct CommittedZone {
     const FrozenTips& frozen;
     const Eigen::VectorXd& displacement;  // of all unknowns of the mesh, mm
     const Eigen::VectorXd& traction;      // of all multipliers, MPa: ContactInterface
+    double rounding;                      // MPa, of a strain of 1e-12: less is no pressure
 };
 
 /// Opening behind tip t, mm, where the patch asks for it, at displacements of all unknowns of its mesh, mm. NaN: the

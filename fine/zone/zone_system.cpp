@@ -228,7 +228,8 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
                .contact = *contact_,
                .frozen = memory_.frozen,
                .displacement = memory_.committed.displacement,
-               .traction = memory_.committed.traction},
+               .traction = memory_.committed.traction,
+               .rounding = 1e-12 * input_.materials.largest_plane_modulus()},
               rings_, input_.cracks.size(), what, report);
     report.dissipation = summary_->dissipation() - dissipated;
     put_counts(report);

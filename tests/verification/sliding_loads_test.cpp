@@ -44,6 +44,14 @@ double slip_error(const coupling::StepReport& zone, const Slip& exact, const Sca
     return std::sqrt(wrong / whole);
 }
 
+// The row of a load of zero said that 8.7 of 11.1 mm were closed, by pressures of 1e-12 MPa.
+TEST(SlidingLoads, NothingIsInContactWhereNothingIsLoaded) {
+    StagedBody body(closed_crack(0.3));
+    EXPECT_NEAR(body.load(UniformStress{.along = -100.0, .shear = 50.0}.sections()).zone.contact_length[0], 2.0, 1e-9);
+    EXPECT_NEAR(body.load(UniformStress{.along = -1e-3, .shear = 0.0}.sections()).zone.contact_length[0], 2.0, 1e-9);
+    EXPECT_EQ(body.load(UniformStress{.along = 0.0, .shear = 0.0}.sections()).zone.contact_length[0], 0.0);
+}
+
 // references 8.3: constant pressure, shear to and fro; faces are locked until it has changed by 2 mu p.
 TEST(SlidingLoads, CyclicShearUnderConstantPressure) {
     constexpr double pressure = 100.0, friction = 0.3, amplitude = 50.0;
