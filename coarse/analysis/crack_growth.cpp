@@ -260,7 +260,7 @@ GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vecto
             return true;
         } catch (const CaseError& error) {
             if (!why.empty()) return false;
-            why = error.what();
+            why = why_no_longer(error);
             left_the_mesh = dynamic_cast<const CrackOffMesh*>(&error) != nullptr;
             return false;
         }

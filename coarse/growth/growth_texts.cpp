@@ -9,6 +9,7 @@
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/turned_tip.hpp"
 #include "coarse/growth/crack_advance.hpp"
+#include "coarse/model/crack_room.hpp"
 
 namespace stria::coarse {
 
@@ -67,6 +68,11 @@ std::string breaks(int tip, double K, double K_I) {
         "tip {}: K = {:.6g} MPa sqrt(mm) behind the turn that K_II makes of it, K_I = {:.6g} before that "
         "(growth.toughness)",
         tip, K, K_I);
+}
+
+std::string why_no_longer(const CaseError& error) {
+    const auto* at_boundary = dynamic_cast<const TipAtBoundary*>(&error);
+    return at_boundary != nullptr ? at_boundary->met : error.what();
 }
 
 std::string growth_ends(const std::string& why, bool by_the_mesh) {

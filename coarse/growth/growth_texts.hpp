@@ -9,6 +9,8 @@
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "common/case/case.hpp"
 
+#include "common/error.hpp"
+
 namespace stria::coarse {
 
 /// A tip that `grows` by so much behind a sharp turn, less than elements_behind_bend of this edge, mm.
@@ -31,6 +33,9 @@ namespace stria::coarse {
 
 /// A tip has reached the toughness, MPa sqrt(mm): by its K_I, or by what that is behind a turn.
 [[nodiscard]] std::string breaks(int tip, double K, double K_I);
+
+/// Why a crack cannot be as long as it would be next.
+[[nodiscard]] std::string why_no_longer(const CaseError& error);
 
 /// The next growth is refused, and `why`. `by_the_mesh`: the body would hold it, so the life goes on.
 [[nodiscard]] std::string growth_ends(const std::string& why, bool by_the_mesh);

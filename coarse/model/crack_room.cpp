@@ -13,7 +13,7 @@
 namespace stria::coarse {
 namespace {
 
-constexpr const char* advice = "smaller elements there (mesh.grading) give it room";
+constexpr const char* advice = "smaller elements there (mesh.size, mesh.grading or the mesh file) give it room";
 
 /// Largest size of a coordinate, mm.
 double extent_of(const Mesh& mesh) {
@@ -52,9 +52,13 @@ void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
                                         "element at its tip, {:.4g} mm; {}",
                                         tip.crack, length, edge, advice));
         if (distance < edge)
-            throw CaseError(fmt::format("crack.{}.points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from the boundary, "
-                                        "less than an element, {:.4g} mm; a mouth lies on or outside of it; {}",
-                                        tip.crack, tip.position.x(), tip.position.y(), distance, edge, advice));
+            throw TipAtBoundary(
+                fmt::format("crack.{}.points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from the boundary, less than an "
+                            "element, {:.4g} mm; a mouth lies on or outside of it; {}",
+                            tip.crack, tip.position.x(), tip.position.y(), distance, edge, advice),
+                fmt::format("crack {} meets the boundary: the next advance takes a tip to ({:.6g}, {:.6g}), {:.4g} mm "
+                            "from it and less than an element, {:.4g} mm",
+                            tip.crack, tip.position.x(), tip.position.y(), distance, edge));
     }
 }
 

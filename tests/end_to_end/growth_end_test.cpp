@@ -101,6 +101,16 @@ TEST_F(GrowthEnd, ByTheMeshIsAWarning) {
     EXPECT_FALSE(summary_says("growth ends here"));
 }
 
+// It is no key of the case that is wrong, and no smaller elements help.
+TEST_F(GrowthEnd, AtTheBoundarySaysThatTheCrackHasMetIt) {
+    run("crack=[{points=[[5.0, 20.5], [13.0, 20.5]]}]");
+    const std::string said = text_of(folder / "log");
+    EXPECT_NE(said.find("growth ends here: crack 0 meets the boundary: the next advance takes a tip to (1, 20.5), 1 mm "
+                        "from it and less than an element"),
+              std::string::npos)
+        << said;
+}
+
 // From a fifth to three fifths of the plate's width, in one growth and in more.
 TEST_F(GrowthEnd, SaysByHowMuchNIsTooLarge) {
     const auto N_by = [&](double increment) {
