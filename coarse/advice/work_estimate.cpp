@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coarse/elements/near_elements.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/zone/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
@@ -74,14 +75,18 @@ ElementSet yields(const NominalSolution& nominal) {
     return found;
 }
 
-/// Steps of growth: no more than the history has room for, or a crack needs to become as long as it is to be.
-double growths_of(const Case& input, const std::vector<TipResult>& tips, double increment) {
-    if (!input.growth) return 0.0;
-    const GrowthSection& growth = *input.growth;
-    const double most = std::floor(cycle_count(input.load) / growth.every);
-    if (!growth.until || tips.empty()) return most;
+/// Steps of growth: no more than the history has room for, or a crack needs to become as long as it is to be, or to
+/// meet the boundary straight on. Where it bends it may be elsewhere, mostly earlier.
+double growths_of(const Scene& scene, const std::vector<TipResult>& tips, double increment) {
+    if (!scene.input.growth) return 0.0;
+    const GrowthSection& growth = *scene.input.growth;
+    const double most = std::floor(cycle_count(scene.input.load) / growth.every);
+    if (tips.empty()) return most;
+    double way = 0.0;
+    for (const Tip& tip : scene.enriched.tips) way = std::max(way, way_to_boundary(scene.mesh, tip));
     const double longest = std::ranges::max(tips, {}, &TipResult::a).a;
-    return std::min(most, std::ceil(std::max(*growth.until - longest, 0.0) / increment));
+    if (growth.until) way = std::min(way, std::max(*growth.until - longest, 0.0));
+    return std::min(most, std::ceil(way / increment));
 }
 
 /// Of so many cycles and the ramp.
@@ -152,9 +157,9 @@ WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<dou
     WorkEstimate work;
     work.points = per_element * zone.count();
     work.yielding = per_element * yielding.count();
-    work.growths = growths_of(input, nominal.tips, increment);
+    work.growths = growths_of(scene, nominal.tips, increment);
     double cycles = cycle_count(input.load);
-    if (input.growth && input.growth->until) cycles = std::min(cycles, (work.growths + 1.0) * input.growth->every);
+    if (input.growth) cycles = std::min(cycles, (work.growths + 1.0) * input.growth->every);
     work.increments = increments_of(input, CaseHistories(input).legs(), cycles);
     const double unknowns = 2.0 * work.points / per_element;  // an element has a node
     const double iteration = seconds_of_iteration(work, unknowns, returns_exactly(input.material, input.model.plane));

@@ -54,6 +54,22 @@ double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
     return distance;
 }
 
+double way_to_boundary(const Mesh& mesh, const Tip& tip) {
+    double way = std::numeric_limits<double>::infinity();
+    for (const auto& [name, edges] : mesh.boundary) {
+        for (const BoundaryEdge& edge : edges) {
+            const std::array<int, 4>& nodes = mesh.elements[at(edge.element)];
+            const Vec2 from = mesh.nodes[at(nodes[at(edge.edge)])] - tip.position,
+                       to = mesh.nodes[at(nodes[at((edge.edge + 1) % 4)])] - tip.position;
+            const double below = cross(tip.direction, from), above = cross(tip.direction, to);
+            if (below >= 0.0 || above < 0.0) continue;  // boundaries run counter-clockwise: the body ends there
+            const double ahead = tip.direction.dot(from + below / (below - above) * (to - from));
+            if (ahead > 0.0) way = std::min(way, ahead);
+        }
+    }
+    return way;
+}
+
 double distance_to_interface(const EnrichedMesh& mesh, const Materials& materials, const Tip& tip) {
     double distance = std::numeric_limits<double>::infinity();
     for (int e = 0; e < std::ssize(mesh.material); ++e) {

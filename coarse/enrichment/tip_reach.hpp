@@ -44,6 +44,9 @@ double distance_to_interface(const EnrichedMesh& mesh, const Materials& material
 /// mm.
 double distance_to_boundary(const Mesh& mesh, const Vec2& x);
 
+/// How far a tip can go straight on until it meets the boundary, mm.
+double way_to_boundary(const Mesh& mesh, const Tip& tip);
+
 /// Diagonal of the element that holds a tip, mm; 0: the mesh has none of its crack.
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip);
 

@@ -99,12 +99,15 @@ TEST_F(Work, GrowsWithTheHistory) {
     EXPECT_EQ(between(400.0, 0.0).yielding, 0);
 }
 
-// A growth of 0.5 mm in each of 100 cycles, but the crack is as long as it is to be after 1.7 mm.
+// A growth of 0.5 mm in each of 20 cycles, but the crack is as long as it is to be after 1.7 mm. In as many cycles as
+// are wanted it would have left the body after 11.7 mm.
 TEST_F(Work, EndsWithTheCrack) {
     increment = 0.5;
     input.growth = GrowthSection{.increment = increment};
+    EXPECT_EQ(between(100.0, 0.0, 20).growths, 20.0);
     const coarse::WorkEstimate of_all = between(100.0, 0.0, 100);
-    EXPECT_EQ(of_all.growths, 100.0);
+    EXPECT_EQ(of_all.growths, 24.0);
+    EXPECT_EQ(of_all.increments, 255.0);
     input.growth->until = 10.0;
     const coarse::WorkEstimate of_few = between(100.0, 0.0, 100);
     EXPECT_EQ(of_few.growths, 4.0);

@@ -100,5 +100,18 @@ TEST(TipReach, IsMeasuredInTheElementOfTheTip) {
     EXPECT_EQ(tip_element_size(mesh, other), 0.0);
 }
 
+// Of a square with a tip in its middle. That of an edge behind, and of a corner straight ahead, is told from others.
+TEST(TipReach, MeetsTheBoundaryAhead) {
+    const Mesh mesh = test::square_mesh(4);
+    Tip tip = tip_at_origin();
+    tip.position = {0.4, 0.5};
+    EXPECT_NEAR(way_to_boundary(mesh, tip), 0.6, 1e-12);
+    tip.direction = {-0.6, 0.8};
+    EXPECT_NEAR(way_to_boundary(mesh, tip), 0.625, 1e-12);
+    tip.position = {0.5, 0.5};
+    tip.direction = Vec2(1.0, 1.0).normalized();
+    EXPECT_NEAR(way_to_boundary(mesh, tip), std::sqrt(0.5), 1e-12);
+}
+
 }  // namespace
 }  // namespace stria::coarse
