@@ -58,6 +58,17 @@ std::optional<std::string> softening_warning(const std::string& key, const Mater
         key, strain, -least, -least);
 }
 
+/// Of a largest K: what of it drives at most, where the load is all that the body feels and never falls to zero.
+double part_that_drives(const Case& input) {
+    const bool alone = input.load_cases.empty() && !has_initial_stress(input);
+    if (!alone || input.load.control == Control::Displacement || input.load.blocks.empty()) return 1.0;
+    const double power = input.growth->driving == GrowthDriving::Range ? input.growth->walker : 1.0;
+    double most = 0.0;
+    for (const LoadBlock& block : input.load.blocks)
+        most = std::max(most, block.max > 0.0 ? std::pow(1.0 - std::max(block.min, 0.0) / block.max, power) : 1.0);
+    return most;
+}
+
 }  // namespace
 
 std::vector<std::string> material_warnings(const Case& input) {
@@ -77,7 +88,8 @@ std::vector<std::string> rate_warnings(const Case& input, const std::vector<doub
                                        const std::vector<double>& largest_K) {
     if (!input.growth || is_prescribed(*input.growth) || input.growth->law == GrowthLaw::Ctod || K.empty()) return {};
     const GrowthSection& growth = *input.growth;
-    const double usual = std::ranges::max(K), largest = std::ranges::max(largest_K);
+    const double part = part_that_drives(input);
+    const double usual = part * std::ranges::max(K), largest = part * std::ranges::max(largest_K);
     if (usual <= 0.0) return {};
     const bool table = growth.law == GrowthLaw::Table;
     if (largest < threshold_of(growth)) {

@@ -91,6 +91,25 @@ TEST(MaterialAdequacy, SaysWhereALawEnds) {
     EXPECT_TRUE(said().starts_with("growth.rates: at dK = 600 MPa sqrt(mm) the law gives da/dN = 0.57 mm")) << said();
 }
 
+// K_max was taken for dK: that of a threshold of 400 was to grow by a dK of 600 (1 - 0.4).
+TEST(MaterialAdequacy, LooksAtTheRangeAndNotAtTheMaximum) {
+    Case input = metal(200e3, 300.0);
+    input.load.blocks = {{.cycles = 9, .max = 100.0, .min = 40.0}, {.cycles = 1, .max = 80.0, .min = 40.0}};
+    input.growth =
+        GrowthSection{.law = GrowthLaw::Paris, .increment = 0.1, .C = 2.18e-13, .m = 3.0, .threshold = 400.0};
+    const auto said = [&] { return coarse::rate_warnings(input, {600.0}, {600.0}); };
+    ASSERT_EQ(said().size(), 1U);
+    EXPECT_TRUE(said()[0].ends_with("below 400 MPa sqrt(mm), and that of no tip is larger than 360")) << said()[0];
+    input.growth->walker = 0.5;
+    EXPECT_TRUE(said().empty()) << "465";
+    input.growth->walker = 1.0;
+    input.load_cases.resize(1);
+    EXPECT_TRUE(said().empty()) << "nobody knows what it does to the minimum";
+    input.load_cases.clear();
+    input.load.blocks.push_back({.cycles = 1, .max = 50.0, .min = -50.0});
+    EXPECT_TRUE(said().empty());
+}
+
 TEST(MaterialAdequacy, NamesTheRegion) {
     Case input = metal(200e3, 300.0);
     input.regions.resize(2);
