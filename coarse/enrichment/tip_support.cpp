@@ -79,7 +79,7 @@ double disk_radius(const TipEnrichment& enrichment, const Tip& tip, const RoomOf
 // off, and functions of each node of the tip's element leave 1 %. Disks may see functions of the crack's other tip.
 TipNodes support_of_tip(const Mesh& mesh, const TipEnrichment& enrichment, const Tip& tip, const CrackPiece& piece,
                         const RoomOfDisk& room) {
-    const TipNodes own{tip_nodes(mesh, piece), false};
+    TipNodes own{tip_nodes(mesh, piece), false};
     if (enrichment.support == TipSupport::Topological) return own;
     const bool share = enrichment.support == TipSupport::Gathered;
     const double radius = disk_radius(enrichment, tip, room), least = least_radius * room.diagonal;
