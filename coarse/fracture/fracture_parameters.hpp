@@ -18,7 +18,7 @@ struct TipResult {
     double x = 0.0, y = 0.0;                       // of the tip, mm
     double way = 0.0;                              // along the crack to there, mm (way_to_tip)
     double K_I = 0.0, K_II = 0.0;                  // MPa sqrt(mm)
-    double K_I_of_wake = 0.0, K_II_of_wake = 0.0;  // of these: of faces pressed in metal that has flowed
+    double K_I_of_wake = 0.0, K_II_of_wake = 0.0;  // of these: of pressure on faces in metal that has flowed
     double T_stress = 0.0;                         // MPa
     double J = 0.0;                                // N/mm
     double J_spread = 0.0, K_spread = 0.0;         // over the rings; NaN where fewer than two tell

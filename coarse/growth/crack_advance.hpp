@@ -50,10 +50,10 @@ void turn_where_faces_end(std::vector<CrackSection>& longer, const EnrichedMesh&
                                                                              const EnrichedMesh& mesh);
 
 /// What tells each tip its direction: the nominal K, of faces without tractions; where faces touch, of this crack or
-/// another one, the K of the solution that has been reached, which knows what they bear. It is that of the loads and of
-/// faces in elastic metal: a wake presses on itself, as stretched as it is, and is no load on the tip. Not where that K
-/// is next to nothing beside the `largest` nominal one of a cycle, as without a load; nor where no ring of the tip lies
-/// outside what has flowed: then it is no elastic K. One per tip each.
+/// another one, the K of the solution that has been reached, which knows what they bear. Without
+/// what the pressure of faces in metal that has flowed adds: a wake presses on itself, as stretched as it is. Not where
+/// that K is next to nothing beside the `largest` nominal one of a cycle, as without a load; nor where no ring of the
+/// tip lies outside what has flowed: then it is no elastic K. One per tip each.
 [[nodiscard]] std::vector<TipResult> directing(std::vector<TipResult> nominal, const std::vector<TipResult>& reached,
                                                const std::vector<double>& largest);
 

@@ -157,12 +157,12 @@ void RingSums::add_faces(const FaceStation& station, const FaceLoad& load) {
     for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
         const double q = corner_weights(mesh_, station.element, tip_, rings_[ring]).dot(station.shape);
         const double push = station.weight * load.pressure * q, drag = station.weight * load.shear * q;
-        const double in_I = -push * opening_I + drag * slip_I, in_II = -push * opening_II + drag * slip_II;
+        const double pressed_I = -push * opening_I, pressed_II = -push * opening_II;
         sums_[ring] += {.J = -push * opening + drag * slip,
-                        .interaction_I = in_I,
-                        .interaction_II = in_II,
-                        .wake_I = load.in_wake ? in_I : 0.0,
-                        .wake_II = load.in_wake ? in_II : 0.0};
+                        .interaction_I = pressed_I + drag * slip_I,
+                        .interaction_II = pressed_II + drag * slip_II,
+                        .wake_I = load.in_wake ? pressed_I : 0.0,
+                        .wake_II = load.in_wake ? pressed_II : 0.0};
     }
 }
 

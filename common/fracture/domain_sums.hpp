@@ -12,7 +12,7 @@ struct DomainIntegral {
     double area = 0.0, rotation = 0.0;                       // mm2: the integrals of 1 and of (u_y,x - u_x,y) / 2
     double turned_I = 0.0, turned_II = 0.0, turned_T = 0.0;  // interactions of the rotation by 1
 
-    double wake_I = 0.0, wake_II = 0.0;  // of the interactions: what faces add that are pressed in a wake
+    double wake_I = 0.0, wake_II = 0.0;  // of the interactions: what the pressure of faces in a wake adds
 
     DomainIntegral& operator+=(const DomainIntegral& other) {
         J += other.J;

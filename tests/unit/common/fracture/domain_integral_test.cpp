@@ -109,7 +109,7 @@ std::vector<DomainIntegral> ring_sums(const EnrichedMesh& mesh, const ExactField
     return {sums.values().begin(), sums.values().end()};
 }
 
-TEST(RingSums, TellWhatFacesInAWakeAdd) {
+TEST(RingSums, TellWhatThePressureOfAWakeAdds) {
     const EnrichedMesh mesh = cracked(square_mesh(9), {{0.0, 0.52}, {0.52, 0.52}});
     const Tip& tip = mesh.tips.front();
     const auto pressed = [&](bool in_wake) {
@@ -121,9 +121,10 @@ TEST(RingSums, TellWhatFacesInAWakeAdd) {
     };
     const DomainIntegral in_wake = pressed(true), elsewhere = pressed(false);
     EXPECT_GT(in_wake.wake_I, 0.0);  // it is a wedge
-    EXPECT_LT(in_wake.wake_II, 0.0);
-    EXPECT_EQ(in_wake.wake_I, in_wake.interaction_I);
-    EXPECT_EQ(in_wake.wake_II, in_wake.interaction_II);
+    EXPECT_NEAR(in_wake.wake_I, in_wake.interaction_I, 1e-12 * in_wake.wake_I);
+    EXPECT_NEAR(in_wake.wake_II, 0.0,
+                1e-12 * in_wake.wake_I);  // shear is borne by what it brakes, and not by the metal
+    EXPECT_LT(in_wake.interaction_II, 0.0);
     EXPECT_EQ(in_wake.interaction_I, elsewhere.interaction_I);
     EXPECT_EQ(elsewhere.wake_I, 0.0);
     EXPECT_EQ(elsewhere.wake_II, 0.0);
