@@ -88,10 +88,11 @@ public:
             }))
             tip_enrichment_.functions = 0;
         result_.tip_functions = tip_enrichment_.functions;
-        for (CrackPath& path : paths) {
+        for (CrackPath& path : paths)
             if (tip_enrichment_.functions == 0) path = with_fronts_on_edges(mesh_, std::move(path));
-            add_crack(path);
-        }
+        if (paths.size() > 1 && tip_enrichment_.functions > 0 && tip_enrichment_.support == TipSupport::Gathered)
+            for (const CrackPath& path : paths) wanted_.push_back(nodes_of_crack(mesh_, path));
+        for (const CrackPath& path : paths) add_crack(path);
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) require_one_crack(result_, e);
         result_.tied = tied_nodes(mesh_.hanging, result_, beside_);
         result_.number();
@@ -150,7 +151,8 @@ private:
     [[nodiscard]] RoomOfDisk room_about(int index, const CrackPiece& piece) const {
         const double size = diagonal(mesh_, piece.element);
         const Tip& tip = result_.tips[at(index)];
-        return {.in_body = room_in_body(mesh_, cracks_, tip, bend_to_element * size),
+        return {.of_others = left_to_others(mesh_, wanted_, tip),
+                .in_body = room_in_body(mesh_, cracks_, tip, bend_to_element * size),
                 .other_end = half_way_to_other_end(result_.tips, index),
                 .other_cracks = half_way_to_other_cracks(cracks_, result_.tips, index),
                 .diagonal = size};
@@ -177,7 +179,8 @@ private:
     const std::vector<CrackSection>& cracks_;
     TipEnrichment tip_enrichment_;
     EnrichedMesh result_;
-    std::map<int, int> beside_;  // CrackSides::of_hanging_too(), of all cracks so far
+    std::vector<NodesOfCrack> wanted_;  // per crack; empty: there is one, or functions keep to the elements of tips
+    std::map<int, int> beside_;         // CrackSides::of_hanging_too(), of all cracks so far
 };
 
 }  // namespace

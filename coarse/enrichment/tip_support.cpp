@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <iterator>
+#include <utility>
 
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
@@ -24,16 +26,49 @@ void add_elements_about(const Mesh& mesh, std::set<int>& nodes) {
     add_ends_of_edges(mesh, nodes);
 }
 
-/// Whether a node of another tip of the crack may be none of these, and no element may see both these and what another
-/// crack has.
-bool is_clear(const Mesh& mesh, const Tip& tip, const std::set<int>& nodes, const RoomOfDisk& room) {
-    double rim = 0.0, element = 0.0;
-    for (const int node : nodes) rim = std::max(rim, (mesh.nodes[at(node)] - tip.position).norm());
-    if (rim >= room.other_end || rim >= room.other_cracks) return false;
-    for (int e = 0; e < std::ssize(mesh.elements); ++e)
-        if (std::ranges::any_of(mesh.elements[at(e)], [&](int node) { return nodes.contains(node); }))
-            element = std::max(element, diagonal(mesh, e));
-    return rim + 0.5 * element < room.other_cracks;
+/// And what hangs on edges between these and others: it has their functions.
+std::set<int> with_what_hangs(const Mesh& mesh, std::set<int> nodes) {
+    std::set<int> hanging;
+    for (const HangingNode& h : mesh.hanging)
+        if (nodes.contains(h.ends[0]) || nodes.contains(h.ends[1])) hanging.insert(h.node);
+    nodes.merge(hanging);
+    return nodes;
+}
+
+/// Whether an element has nodes of both.
+bool meet(const Mesh& mesh, const std::set<int>& nodes, const std::set<int>& others) {
+    const std::set<int> seen = with_what_hangs(mesh, nodes);
+    return std::ranges::any_of(mesh.elements, [&](const std::array<int, 4>& corners) {
+        return std::ranges::any_of(corners, [&](int node) { return seen.contains(node); }) &&
+               std::ranges::any_of(corners, [&](int node) { return others.contains(node); });
+    });
+}
+
+/// What shares functions hangs on no edge: with these a small element would differ from its larger neighbour there.
+TipNodes shared_where_nothing_hangs(const Mesh& mesh, TipNodes about) {
+    std::set<int> hanging;
+    for (const HangingNode& h : mesh.hanging) hanging.insert(h.node);
+    about.share = about.share && !meet(mesh, about.nodes, hanging);
+    return about;
+}
+
+double distance_to_rim(const Mesh& mesh, const Vec2& place, const std::set<int>& nodes) {
+    double rim = 0.0;
+    for (const int node : nodes) rim = std::max(rim, (mesh.nodes[at(node)] - place).norm());
+    return rim;
+}
+
+/// Those that no element sees together with what other cracks have, and the tip's own.
+TipNodes clear_of_others(const Mesh& mesh, const std::set<int>& nodes, const TipNodes& own,
+                         const std::set<int>& others) {
+    std::set<int> beside;
+    for (const std::array<int, 4>& corners : mesh.elements)
+        if (std::ranges::any_of(corners, [&](int node) { return others.contains(node); }))
+            beside.insert(corners.begin(), corners.end());
+    add_ends_of_edges(mesh, beside);
+    TipNodes clear{own.nodes, false};
+    std::ranges::set_difference(nodes, beside, std::inserter(clear.nodes, clear.nodes.end()));
+    return meet(mesh, clear.nodes, others) ? own : clear;
 }
 
 }  // namespace
@@ -75,8 +110,36 @@ double disk_radius(const TipEnrichment& enrichment, const Tip& tip, const RoomOf
                     *enrichment.radius, tip.position.x(), tip.position.y(), reach));
 }
 
+NodesOfCrack nodes_of_crack(const Mesh& mesh, const CrackPath& path) {
+    NodesOfCrack result;
+    for (const CrackPiece& piece : path.pieces) result.beside.merge(tip_nodes(mesh, piece));
+    const auto add = [&](const CrackPiece& piece, const Vec2& tip) {
+        std::set<int> nodes = tip_nodes(mesh, piece);
+        add_elements_about(mesh, nodes);
+        add_disk(mesh, tip, least_radius * diagonal(mesh, piece.element), nodes);
+        result.about.push_back({tip, std::move(nodes)});
+    };
+    if (path.tip_at_start) add(path.pieces.front(), path.pieces.front().points.front());
+    if (path.tip_at_end) add(path.pieces.back(), path.pieces.back().points.back());
+    return result;
+}
+
+std::set<int> left_to_others(const Mesh& mesh, const std::vector<NodesOfCrack>& cracks, const Tip& tip) {
+    std::set<int> left;
+    for (int crack = 0; crack < std::ssize(cracks); ++crack) {
+        if (crack == tip.crack) continue;
+        left.insert(cracks[at(crack)].beside.begin(), cracks[at(crack)].beside.end());
+        for (const auto& [other, nodes] : cracks[at(crack)].about)
+            for (const int node : nodes)
+                if ((mesh.nodes[at(node)] - other).norm() < (mesh.nodes[at(node)] - tip.position).norm())
+                    left.insert(node);
+    }
+    return with_what_hangs(mesh, std::move(left));
+}
+
 // Functions that all nodes share want all elements about the tip's: where others took some of them K was up to 14 %
-// off, and functions of each node of the tip's element leave 1 %. Disks may see functions of the crack's other tip.
+// off, and functions of each node of the tip's element leave 1 %. So where another crack takes some of these elements
+// each node of the others has functions of its own. Disks may see functions of the crack's other tip.
 TipNodes support_of_tip(const Mesh& mesh, const TipEnrichment& enrichment, const Tip& tip, const CrackPiece& piece,
                         const RoomOfDisk& room) {
     TipNodes own{tip_nodes(mesh, piece), false};
@@ -86,12 +149,15 @@ TipNodes support_of_tip(const Mesh& mesh, const TipEnrichment& enrichment, const
     TipNodes disk{own.nodes, share};
     add_disk(mesh, tip.position, radius, disk.nodes);
     if (!share || enrichment.radius) return disk;
-    if (room.in_body < least) return radius >= room.in_body ? disk : own;
+    if (room.in_body < least) return radius >= room.in_body ? shared_where_nothing_hangs(mesh, disk) : own;
     TipNodes whole{own.nodes, share};
     add_elements_about(mesh, whole.nodes);
     add_disk(mesh, tip.position, std::max(radius, least), whole.nodes);
-    if (is_clear(mesh, tip, whole.nodes, room)) return whole;
-    return radius >= least ? disk : own;
+    // A node of another tip of the crack may be none of these.
+    if (distance_to_rim(mesh, tip.position, whole.nodes) >= room.other_end)
+        return radius >= least ? shared_where_nothing_hangs(mesh, disk) : own;
+    if (!meet(mesh, whole.nodes, room.of_others)) return shared_where_nothing_hangs(mesh, whole);
+    return clear_of_others(mesh, whole.nodes, own, room.of_others);
 }
 
 }  // namespace stria::coarse

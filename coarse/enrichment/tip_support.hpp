@@ -2,8 +2,10 @@
 #pragma once
 
 #include <set>
+#include <vector>
 
 #include "coarse/enrichment/tip_enrichment.hpp"
+#include "common/crack/crack_path.hpp"
 #include "common/crack/crack_piece.hpp"
 #include "common/crack/tip.hpp"
 #include "common/fem/mesh.hpp"
@@ -21,12 +23,27 @@ void add_ends_of_edges(const Mesh& mesh, std::set<int>& nodes);
 /// functions are complete.
 void add_disk(const Mesh& mesh, const Vec2& place, double radius, std::set<int>& nodes);
 
+/// What functions a crack wants on its way, for others to keep off: an element sees those of one crack.
+struct NodesOfCrack {
+    struct AboutTip {
+        Vec2 tip;
+        std::set<int> nodes;
+    };
+    std::set<int> beside;         // of the elements that the crack runs through
+    std::vector<AboutTip> about;  // of all elements about those of its tips
+};
+[[nodiscard]] NodesOfCrack nodes_of_crack(const Mesh& mesh, const CrackPath& path);
+
+/// Of what other cracks want: what a tip leaves to them. About their tips that is what is nearer to these.
+[[nodiscard]] std::set<int> left_to_others(const Mesh& mesh, const std::vector<NodesOfCrack>& cracks, const Tip& tip);
+
 /// About a tip, mm.
 struct RoomOfDisk {
-    double in_body;       // room_in_body()
-    double other_end;     // half_way_to_other_end()
-    double other_cracks;  // half_way_to_other_cracks()
-    double diagonal;      // of the tip's element
+    std::set<int> of_others;  // left_to_others()
+    double in_body;           // room_in_body()
+    double other_end;         // half_way_to_other_end()
+    double other_cracks;      // half_way_to_other_cracks()
+    double diagonal;          // of the tip's element
 };
 
 /// Of the disk on which a support of fixed radius has its functions, mm. Throws CaseError, naming the tip's place,

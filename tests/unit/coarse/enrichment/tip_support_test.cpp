@@ -5,6 +5,9 @@
 
 #include <limits>
 #include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "coarse/model/mesh_refinement.hpp"
 #include "common/error.hpp"
@@ -16,7 +19,11 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 RoomOfDisk room_of(double in_body, double other_end, double other_cracks, double diagonal) {
-    return {.in_body = in_body, .other_end = other_end, .other_cracks = other_cracks, .diagonal = diagonal};
+    return {.of_others = {},
+            .in_body = in_body,
+            .other_end = other_end,
+            .other_cracks = other_cracks,
+            .diagonal = diagonal};
 }
 
 /// Of a 4 x 4 mesh of the unit square.
@@ -88,28 +95,62 @@ TEST(TipSupport, IsAsLargeAsTheCaseSaysOrTheCaseIsRefused) {
 }
 
 /// In the middle of 12 x 12 elements of 1 mm.
-TipNodes about_tip(TipSupport support, double in_body, double other_end, double other_cracks) {
+TipNodes about_tip(TipSupport support, double in_body, double other_end, std::set<int> of_others = {}) {
     const Mesh mesh = test::square_mesh(12, 12.0);
     const Tip tip{.crack = 0, .position = {5.5, 5.5}, .direction = Vec2::UnitX(), .s = 3.0, .upper = 1};
     const CrackPiece piece{.crack = 0, .element = 5 * 12 + 5, .points = {}, .s = {}};
-    return support_of_tip(mesh, {.support = support}, tip, piece,
-                          room_of(in_body, other_end, other_cracks, std::numbers::sqrt2));
+    RoomOfDisk room = room_of(in_body, other_end, infinite, std::numbers::sqrt2);
+    room.of_others = std::move(of_others);
+    return support_of_tip(mesh, {.support = support, .most_diagonals = 1.2}, tip, piece, room);
 }
 
-// The last nodes of the elements about the tip's are 1.5 sqrt(2) = 2.12 mm away, and half an element is 0.71 mm.
+// The last nodes of the elements about the tip's are 1.5 sqrt(2) = 2.12 mm away.
 TEST(TipSupport, SharesFunctionsAmongAllElementsAboutTheTipsOrHasThemOnThatAlone) {
-    const auto shared = [](double other_end, double other_cracks) {
-        const TipNodes found = about_tip(TipSupport::Gathered, 5.0, other_end, other_cracks);
+    const auto shared = [](double other_end) {
+        const TipNodes found = about_tip(TipSupport::Gathered, 5.0, other_end);
         EXPECT_EQ(found.nodes.size(), found.share ? 16U : 4U);
         return found.share;
     };
-    EXPECT_TRUE(shared(2.13, infinite)) << "no node of the crack's other tip";
-    EXPECT_FALSE(shared(2.11, infinite));
-    EXPECT_TRUE(shared(infinite, 2.84)) << "no element that sees another crack";
-    EXPECT_FALSE(shared(infinite, 2.82));
-    EXPECT_TRUE(about_tip(TipSupport::Gathered, 1.2, infinite, infinite).share) << "the boundary takes none";
-    EXPECT_FALSE(about_tip(TipSupport::Nodal, 5.0, infinite, infinite).share);
-    EXPECT_FALSE(about_tip(TipSupport::Topological, 5.0, infinite, infinite).share);
+    EXPECT_TRUE(shared(2.13)) << "no node of the crack's other tip";
+    EXPECT_FALSE(shared(2.11));
+    EXPECT_TRUE(about_tip(TipSupport::Gathered, 1.2, infinite).share) << "the boundary takes none";
+    EXPECT_FALSE(about_tip(TipSupport::Nodal, 5.0, infinite).share);
+    EXPECT_FALSE(about_tip(TipSupport::Topological, 5.0, infinite).share);
+}
+
+// Nodes in columns 4 to 7 are those of the elements about the tip's. No element sees two cracks: half of the way to the
+// other one, less half an element, asked for seven elements of distance where four are enough.
+TEST(TipSupport, SharesThemUnlessAnElementSeesAnotherCrackAndLeavesOutWhatDoes) {
+    const auto beside_crack = [](int column) {
+        std::set<int> nodes;
+        for (int row = 0; row <= 12; ++row) nodes.insert(13 * row + column);
+        return about_tip(TipSupport::Gathered, 5.0, infinite, std::move(nodes));
+    };
+    EXPECT_TRUE(beside_crack(9).share);
+    EXPECT_EQ(beside_crack(9).nodes.size(), 16U);
+    EXPECT_FALSE(beside_crack(8).share);
+    EXPECT_EQ(beside_crack(8).nodes.size(), 12U);
+    EXPECT_FALSE(beside_crack(8).nodes.contains(13 * 5 + 7));
+    EXPECT_EQ(beside_crack(7).nodes.size(), 4U) << "the tip's element is beside the crack's";
+}
+
+// Two tips six elements apart, and what is nearer to either.
+TEST(TipSupport, LeavesToAnotherTipWhatIsNearerToIt) {
+    const Mesh mesh = test::square_mesh(12, 12.0);
+    const auto crack = [&](double from, double to, bool at_start) {
+        CrackPath path;
+        path.pieces = {
+            {.crack = 0, .element = 5 * 12 + (at_start ? 7 : 3), .points = {{from, 5.5}, {to, 5.5}}, .s = {}}};
+        path.tip_at_start = at_start;
+        path.tip_at_end = !at_start;
+        return nodes_of_crack(mesh, path);
+    };
+    const std::vector<NodesOfCrack> cracks{crack(3.0, 3.2, false), crack(7.4, 8.0, true)};
+    const Tip tip{.crack = 0, .position = {3.2, 5.5}, .direction = Vec2::UnitX(), .s = 3.0, .upper = 1};
+    const std::set<int> left = left_to_others(mesh, cracks, tip);
+    EXPECT_EQ(left.size(), 16U) << "columns 6 to 9";
+    EXPECT_TRUE(left.contains(13 * 5 + 6));
+    EXPECT_FALSE(left.contains(13 * 5 + 5));
 }
 
 }  // namespace
