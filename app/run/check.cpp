@@ -151,7 +151,8 @@ double largest_increment(const coarse::Scene& scene, const coarse::NominalSoluti
 
 void print_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
                     const std::vector<double>& K_I) {
-    const coarse::WorkEstimate work = coarse::estimate_work(nominal, K_I, largest_increment(scene, nominal, K_I));
+    const coarse::WorkEstimate work =
+        coarse::estimate_work(scene, nominal, K_I, largest_increment(scene, nominal, K_I));
     fmt::print(
         "# estimate of the run: {:.0f} increments, at most {:.0f} of {:.0f} points flow; about {:.2g} s of a processor "
         "and {:.2g} MB, to a factor of two or three; more where increments have to be halved\n",

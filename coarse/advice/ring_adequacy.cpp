@@ -1,13 +1,17 @@
 #include "coarse/advice/ring_adequacy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <set>
 
 #include "coarse/enrichment/crack_length.hpp"
 #include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/enrichment/tip_support.hpp"
 #include "coarse/model/rings.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/crack/crack_end.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -17,8 +21,8 @@ constexpr double elements_in_ring = 3.0, elements_with_fields = 2.0;
 constexpr double least_for_K = 0.3;  // elements to another metal
 
 /// To another crack, with which K is within two percent (median; docs/verification/elastic.md, tips that are near):
-/// what stands at the tip's element leaves the crack a part of an element too short, whatever the ring, and that part
-/// counts against the distance.
+/// what stands at the tip's element alone leaves the crack a part of an element too short, whatever the ring, and that
+/// part counts against the distance.
 constexpr double elements_to_crack = 16.0, elements_without_functions = 40.0;
 
 bool share_functions(const EnrichedMesh& mesh, int tip) {
@@ -37,6 +41,20 @@ double elements_wanted(const Scene& scene, int tip, double element) {
     const bool off_the_rest = std::min(room.bends_and_forces, room.other_cracks) >= three;
     const bool off_boundary = room.boundary >= three || share_functions(scene.enriched, tip);
     return has_elastic_fields(scene) && off_the_rest && off_boundary ? elements_with_fields : elements_in_ring;
+}
+
+/// Whether other elements than the tip's have its functions at all of their nodes.
+bool stand_about(const Scene& scene, const EnrichedMesh& mesh, int tip) {
+    const std::set<int> own = tip_nodes(scene.mesh, *piece_of(mesh.pieces, mesh.tips[at(tip)]));
+    const auto has = [&](int node) {
+        return std::ranges::any_of(mesh.terms[at(node)], [&](const Term& term) {
+            return term.kind != Term::Kind::Heaviside && term.owner == tip;
+        });
+    };
+    return std::ranges::any_of(mesh.elements, [&](const std::array<int, 4>& corners) {
+        return std::ranges::all_of(corners, has) &&
+               !std::ranges::all_of(corners, [&](int node) { return own.contains(node); });
+    });
 }
 
 }  // namespace
@@ -79,18 +97,22 @@ std::optional<MeshDoubt> doubt_of_metal(const Scene& scene, std::size_t tip) {
                      K_is_off ? 2 : 1};
 }
 
+// The zone has functions of its own: its fields tell J, the nominal body tells by what K cracks grow.
 std::optional<MeshDoubt> doubt_of_neighbour(const Scene& scene, std::size_t t) {
     const EnrichedMesh& mesh = scene.enriched;
+    const auto tip = static_cast<int>(t);
     const double element = tip_element_edge(mesh, mesh.tips[t]);
-    const double distance = 2.0 * half_way_to_other_cracks(scene.input.cracks, mesh.tips, static_cast<int>(t));
+    const double distance = 2.0 * half_way_to_other_cracks(scene.input.cracks, mesh.tips, tip);
     const double wanted = mesh.tip_functions == 0 ? elements_without_functions : elements_to_crack;
-    if (distance >= wanted * element || share_functions(mesh, static_cast<int>(t))) return std::nullopt;
-    return MeshDoubt{MeshDoubtKind::Neighbour,
-                     fmt::format("tip {}: another crack is {:.3g} mm away, {:.2g} elements of {:.3g} mm; with {} K may "
-                                 "be off by more than two percent below {:g}: smaller elements there",
-                                 t, distance, distance / element, element,
-                                 mesh.tip_functions == 0 ? "no tip functions" : "tip functions on one element alone",
-                                 wanted)};
+    if (distance >= wanted * element || stand_about(scene, mesh, tip)) return std::nullopt;
+    const bool of_zone = scene.nominal && stand_about(scene, *scene.nominal, tip);
+    return MeshDoubt{
+        MeshDoubtKind::Neighbour,
+        fmt::format("tip {}: another crack is {:.3g} mm away, {:.2g} elements of {:.3g} mm; with {} {} may "
+                    "be off by more than {} percent below {:g}: smaller elements there",
+                    t, distance, distance / element, element,
+                    mesh.tip_functions == 0 ? "no tip functions" : "tip functions on one element alone",
+                    of_zone ? "J of the zone" : "K", of_zone ? "four" : "two", wanted)};
 }
 
 std::optional<TipOfFunctions> doubt_of_functions(const Scene& scene) {

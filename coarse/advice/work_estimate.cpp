@@ -145,8 +145,8 @@ double bytes_of_body(const Scene& scene) {
            bytes_for_rim * std::pow(rim_of_body(scene), 2) + bytes_of_cycle * cycle_count(scene.input.load);
 }
 
-WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K, double increment) {
-    const Scene& scene = nominal.structure->scene();
+WorkEstimate estimate_work(const Scene& scene, const NominalSolution& nominal, const std::vector<double>& K,
+                           double increment) {
     const Case& input = scene.input;
     const double per_element = 4.0 * subcells_elsewhere(input.fine) * subcells_elsewhere(input.fine);
     const ElementSet yielding = yields(nominal);

@@ -22,8 +22,8 @@ struct WorkEstimate {
 /// Measured figures (bench/error_of_estimate.py), to a factor of two where they were made and of about three elsewhere;
 /// increments that have to be halved come on top. Of long histories the first half cycles count, and the largest one.
 /// `K`: the largest of the history, one per tip, MPa sqrt(mm).
-/// `nominal`: of the whole body. `increment`: of growth, mm.
-[[nodiscard]] WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K,
-                                         double increment);
+/// `nominal`: of the whole body of the scene. `increment`: of growth, mm.
+[[nodiscard]] WorkEstimate estimate_work(const Scene& scene, const NominalSolution& nominal,
+                                         const std::vector<double>& K, double increment);
 
 }  // namespace stria::coarse

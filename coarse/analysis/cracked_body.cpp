@@ -142,7 +142,7 @@ CrackedBody::Outgrown CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd&
         const int whole = finer.part_of[at(e)];
         if (whole >= 0) (in_zone_.contains(whole) ? of_structure : of_zone)[at(e)] = -1;
     }
-    nominal_.keep_behind(before, now);
+    nominal_.keep_behind(*scene_, finer.scene);
     Eigen::VectorXd inside = on_parts(before, displacement, now, of_zone, Eigen::VectorXd::Zero(now.unknowns));
     displacement =
         carry_over(before, displacement, now, on_parts(before, displacement, now, of_structure, std::move(inside)));
@@ -187,7 +187,7 @@ ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet expected) {
 
 // Without a zone the nominal body is the structure, which has none.
 void CrackedBody::choose_behind(const Scene& longer) {
-    nominal_.keep_behind(scene_->enriched, longer.enriched);
+    nominal_.keep_behind(*scene_, longer);
     nominal_.stand_on(still_, has_zone());
     // To look for what of so few elements may serve for longer costs as much as to factor them.
     const int few = longer.input.fine.refine > 1 ? 700 : 300;

@@ -13,18 +13,24 @@ namespace stria::coarse {
 
 std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const Scene* before, const ElementSet& zone,
                                               StructureFactors& shared) {
+    own_ = nominal_scene(scene);
+    const Scene& body = own_ ? *own_ : scene;
     const bool far_known = shared.far && shared.far->is_of(still_.far, nullptr);
     NominalSolution found = serves(scene, before) ? with_tips_moved(scene, still_, zone, std::move(fields_->fields))
-                                                  : solve_whole(scene, far_known, zone, shared);
+                                                  : solve_whole(body, far_known, zone, shared);
     tips_ = std::move(found.tips);
-    rings_ = std::move(found.rings);
+    rings_ = own_ ? std::vector<RingForms>() : std::move(found.rings);
     unit_displacement_ = stria::coarse::unit_displacement(found.fields);
     find_largest_K(scene);
     if (first_length_ == 0.0 && !tips_.empty()) first_length_ = tips_.front().a;
-    displacement_ = far_known ? Eigen::VectorXd() : found.fields.unit;
+    displacement_ = {};
+    if (!far_known)
+        displacement_ = own_ ? carry_over(own_->enriched, found.fields.unit, scene.enriched,
+                                          Eigen::VectorXd::Zero(scene.enriched.unknowns))
+                             : found.fields.unit;
     fields_.reset();
-    if (far_known) fields_ = {std::move(found.fields), still_};
-    return std::move(found.structure);
+    if (far_known && !own_) fields_ = {std::move(found.fields), still_};
+    return own_ ? nullptr : std::move(found.structure);
 }
 
 // While a tip moves on inside its element nothing else changes: the body does what it did.
@@ -78,8 +84,8 @@ void NominalBody::stand_on(const StillElements& still, bool apart) {
     if (!apart || !stands_on(still)) still_ = still;
 }
 
-void NominalBody::keep_behind(const EnrichedMesh& from, const EnrichedMesh& to) {
-    if (has_behind() && same_functions(from, to, still_.behind)) return;
+void NominalBody::keep_behind(const Scene& from, const Scene& to) {
+    if (has_behind() && same_functions(nominal_functions(from), nominal_functions(to), still_.behind)) return;
     still_.behind = {};
     behind_.reset();
 }

@@ -20,7 +20,8 @@ public:
 
     /// Its response to the load factor 1. `before`: the present scene, where there is a zone; else null. `zone`:
     /// elements that will be in the zone; of size zero: none. `shared`: factors of the structure; what of far and
-    /// middle parts did not serve is made anew in them. Returns the body, null where the last one's answer served.
+    /// middle parts did not serve is made anew in them. Returns the body; null where the last one's answer served, or
+    /// it has functions of its own.
     [[nodiscard]] std::unique_ptr<Structure> solve(const Scene& scene, const Scene* before, const ElementSet& zone,
                                                    StructureFactors& shared);
 
@@ -52,7 +53,7 @@ public:
         return still_.far == still.far && still_.middle == still.middle;
     }
     /// What is behind the tips serves as long as none of its functions changes from one mesh to the next.
-    void keep_behind(const EnrichedMesh& from, const EnrichedMesh& to);
+    void keep_behind(const Scene& from, const Scene& to);
     void forget_behind() { behind_.reset(); }
     [[nodiscard]] bool has_behind() const { return !still_.behind.none(); }
     void put_behind(ElementSet elements) { still_.behind = std::move(elements); }
@@ -70,6 +71,7 @@ private:
 
     CoarseEffort& effort_;
     const Note& note_;
+    std::unique_ptr<const Scene> own_;        // the scene of the last answer; null: that of the structure
     StillElements still_;                     // near_elements.hpp
     std::shared_ptr<const BodyPart> behind_;  // its factor
     std::vector<TipResult> tips_;

@@ -59,13 +59,19 @@ Neighbourhood with_room(const Scene& scene, int tip, const NodeSet& nodes_of_zon
     return {std::max(radius, reach_of_zone(scene.enriched, tip, nodes_of_zone)) + room, room};
 }
 
+/// In the body and in the nominal one.
+bool is_plain_in_both(const Scene& scene, int element) {
+    return is_plain(scene.enriched, element) && (!scene.nominal || is_plain(*scene.nominal, element));
+}
+
 /// Coarse elements that see one of the nodes, and those that are not plain.
-ElementSet near_about(const EnrichedMesh& mesh, const ElementSet& in_zone, const NodeSet& nodes) {
+ElementSet near_about(const Scene& scene, const ElementSet& in_zone, const NodeSet& nodes) {
+    const EnrichedMesh& mesh = scene.enriched;
     ElementSet near(in_zone.size());
     for (int e = 0; e < in_zone.size(); ++e) {
         if (in_zone.contains(e)) continue;
         const bool close = std::ranges::any_of(mesh.elements[at(e)], [&](int node) { return nodes.contains(node); });
-        if (close || !is_plain(mesh, e)) near.insert(e);
+        if (close || !is_plain_in_both(scene, e)) near.insert(e);
     }
     return near;
 }
@@ -78,11 +84,11 @@ Neighbourhood about_zone(const Scene& scene, int tip, const NodeSet& nodes_of_zo
 }
 
 /// Elements that have nothing to do with far ones, the zone or these nodes, and that no crack changes.
-ElementSet plain_beside(const EnrichedMesh& mesh, const ElementSet& in_zone, const ElementSet& far,
-                        const NodeSet& nodes) {
+ElementSet plain_beside(const Scene& scene, const ElementSet& in_zone, const ElementSet& far, const NodeSet& nodes) {
+    const EnrichedMesh& mesh = scene.enriched;
     ElementSet middle(in_zone.size());
     for (int e = 0; e < in_zone.size(); ++e) {
-        if (in_zone.contains(e) || (far.size() > 0 && far.contains(e)) || !is_plain(mesh, e)) continue;
+        if (in_zone.contains(e) || (far.size() > 0 && far.contains(e)) || !is_plain_in_both(scene, e)) continue;
         if (std::ranges::none_of(mesh.elements[at(e)], [&](int node) { return nodes.contains(node); }))
             middle.insert(e);
     }
@@ -94,13 +100,13 @@ ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const 
     if (!scene.input.growth) return {};
     const EnrichedMesh& mesh = scene.enriched;
     const NodeSet nodes = nodes_of(mesh, in_zone);
-    const ElementSet may = plain_beside(mesh, in_zone, far, nodes);
+    const ElementSet may = plain_beside(scene, in_zone, far, nodes);
     if (known.size() == in_zone.size() && !known.none() && known.is_subset_of(may)) return known;
     for (const int steps : {10, 5, 2}) {
         NodeSet with_room = nodes;
         for (int t = 0; t < std::ssize(mesh.tips); ++t)
             add_neighbourhood(mesh, t, about_zone(scene, t, nodes, steps), with_room);
-        const ElementSet middle = plain_beside(mesh, in_zone, far, with_room);
+        const ElementSet middle = plain_beside(scene, in_zone, far, with_room);
         const int core = in_zone.size() - far.count() - in_zone.count() - middle.count();
         if (middle.count() > 2 * core) return middle;
     }
@@ -170,7 +176,7 @@ ElementSet near_elements(const Scene& scene, const ElementSet& in_zone) {
     const EnrichedMesh& mesh = scene.enriched;
     NodeSet nodes = nodes_of(mesh, in_zone);
     for (int t = 0; t < std::ssize(mesh.tips); ++t) add_neighbourhood(mesh, t, {largest_ring(scene, t), 0.0}, nodes);
-    return near_about(mesh, in_zone, nodes);
+    return near_about(scene, in_zone, nodes);
 }
 
 ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& known) {
@@ -180,7 +186,7 @@ ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const Ele
     const NodeSet of_zone = nodes_of(mesh, in_zone);
     NodeSet nodes = of_zone;
     for (int t = 0; t < std::ssize(mesh.tips); ++t) add_neighbourhood(mesh, t, with_room(scene, t, of_zone), nodes);
-    ElementSet close = near_about(mesh, in_zone, nodes);
+    ElementSet close = near_about(scene, in_zone, nodes);
     if (close.none()) return ElementSet(in_zone.size());
     return (close |= in_zone).complement();
 }
@@ -192,8 +198,8 @@ StillElements still_elements(const Scene& scene, const ElementSet& in_zone, cons
 }
 
 ElementSet elements_behind(const Scene& scene, const StillElements& still, const ElementSet& soon) {
-    const EnrichedMesh& mesh = scene.enriched;
-    if (!scene.input.growth || !mesh.left_tips.empty()) return {};
+    const EnrichedMesh& mesh = nominal_functions(scene);
+    if (!scene.input.growth || !scene.enriched.left_tips.empty()) return {};
     const NodeSet of_splits = nodes_about_splits(mesh, soon);
     for (const int steps : {10, 5, 2}) {
         NodeSet changing = of_splits;

@@ -46,4 +46,10 @@ TipEnrichment choose_enrichment(const Case& input) {
     return needs_fine(input) ? linear : geometrical;
 }
 
+std::optional<TipEnrichment> enrichment_of_nominal(const Case& input) {
+    if (!needs_fine(input)) return std::nullopt;
+    // The elements about the tip's reach as far. Larger disks cost more in each growth and moved K by 1e-4.
+    return TipEnrichment{.functions = 4, .exponent = 0.5, .support = TipSupport::Gathered, .most_diagonals = 1.2};
+}
+
 }  // namespace stria::coarse

@@ -32,4 +32,8 @@ struct TipEnrichment {
 /// power law where no crack grows, else 1.
 TipEnrichment choose_enrichment(const Case& input);
 
+/// Of the nominal body of a case with a zone, which is elastic whatever the zone does: the singular fields of
+/// elasticity on the elements about a tip's. Absent where it is the body that is computed anyway.
+std::optional<TipEnrichment> enrichment_of_nominal(const Case& input);
+
 }  // namespace stria::coarse

@@ -24,7 +24,8 @@ std::vector<TipResult> tips_on_halved_elements(const Scene& scene) {
     std::vector<int> all(scene.mesh.elements.size());
     std::iota(all.begin(), all.end(), 0);
     const Scene halved = make_scene(scene.input, split_again(scene.mesh, {all}));
-    return solve_nominal_near(std::make_unique<Structure>(halved)).tips;
+    const std::unique_ptr<const Scene> own = nominal_scene(halved);
+    return solve_nominal_near(std::make_unique<Structure>(own ? *own : halved)).tips;
 }
 
 double change_of_K(const TipResult& coarser, const TipResult& finer) {

@@ -50,7 +50,7 @@ NominalSolution solution_of_K(std::unique_ptr<Structure> body, const CoarseEleme
                               NominalFields fields) {
     StructureRings rings(elements, StructureRings::forms_of(elements, for_K));
     std::vector<TipResult> tips = with_other_loads(nominal_K(rings, fields.unit), rings, fields);
-    return {std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
+    return {nullptr, std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ NominalSolution solve_nominal(std::unique_ptr<Structure> body) {
     const RingIntegrals integrals = rings.integrals_of_displacement(fields.unit);
     std::vector<TipResult> tips =
         with_other_loads(fracture_parameters(rings, fields.unit, integrals, {}), rings, fields);
-    return {std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
+    return {nullptr, std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
 }
 
 NominalSolution solve_nominal_near(std::unique_ptr<Structure> body, const ElementSet& for_K) {
@@ -76,7 +76,12 @@ NominalSolution with_tips_moved(const Scene& scene, const StillElements& still, 
     return solution_of_K(nullptr, elements, for_K, std::move(known));
 }
 
-NominalSolution solve_nominal(const Scene& scene) { return solve_nominal(std::make_unique<Structure>(scene)); }
+NominalSolution solve_nominal(const Scene& scene) {
+    std::unique_ptr<const Scene> own = nominal_scene(scene);
+    NominalSolution solution = solve_nominal(std::make_unique<Structure>(own ? *own : scene));
+    solution.scene = std::move(own);
+    return solution;
+}
 
 std::vector<double> stress_intensities(const std::vector<TipResult>& tips) {
     std::vector<double> K_I;

@@ -22,6 +22,7 @@ struct NominalFields {
 };
 
 struct NominalSolution {
+    std::unique_ptr<const Scene> scene;    // where the nominal body has functions of its own
     std::unique_ptr<Structure> structure;  // of the whole body: no element is in a zone; null: it was not condensed
     NominalFields fields;
     std::vector<TipResult> tips;   // one per tip

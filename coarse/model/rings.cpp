@@ -97,7 +97,7 @@ bool tells_J(const Scene& scene, int tip) {
 
 bool has_elastic_fields(const Scene& scene) {
     constexpr int functions = 4;  // of eq. (2)
-    return !scene.materials.may_yield() && scene.enriched.tip_functions >= functions;
+    return (scene.is_nominal || !scene.materials.may_yield()) && scene.enriched.tip_functions >= functions;
 }
 
 RoomForRings room_for_rings(const Scene& scene, int tip_index) {

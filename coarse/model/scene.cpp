@@ -1,5 +1,6 @@
 #include "coarse/model/scene.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "coarse/enrichment/enrichment.hpp"
@@ -12,6 +13,7 @@
 #include "coarse/specimen/initial_field.hpp"
 #include "coarse/specimen/regions.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -43,7 +45,32 @@ UnknownSet observed_unknowns(const Scene& scene) {
     return observed;
 }
 
+bool sees_tip_functions(const EnrichedMesh& mesh, int element) {
+    const auto is_of_tip = [](const Term& term) { return term.kind != Term::Kind::Heaviside; };
+    return std::ranges::any_of(mesh.elements[at(element)],
+                               [&](int node) { return std::ranges::any_of(mesh.terms[at(node)], is_of_tip); });
+}
+
+/// Null where the nominal body has the functions of the scene, or its own ones find no room on the mesh.
+std::shared_ptr<const EnrichedMesh> functions_of_nominal(const Scene& scene) {
+    const std::optional<TipEnrichment> tips = enrichment_of_nominal(scene.input);
+    if (!tips || scene.enriched.tips.empty()) return nullptr;
+    // Beside no other crack those of the tip's element serve as well: the zone has the same K then.
+    if (scene.enriched.tip_functions >= tips->functions && scene.input.cracks.size() == 1) return nullptr;
+    try {
+        return std::make_shared<const EnrichedMesh>(enrich(scene.mesh, scene.input.cracks, *tips));
+    } catch (const CaseError&) {
+        return nullptr;
+    }
+}
+
 }  // namespace
+
+MeanDilatation Scene::mean_dilatation(int element) const {
+    if (is_nominal && sees_tip_functions(enriched, element)) return MeanDilatation::Nowhere;
+    const int material = mesh.material_of(element);
+    return stria::mean_dilatation(materials.section(material), materials.elastic(material));
+}
 
 Scene make_scene(const Case& input, Mesh mesh, int refined) {
     Scene scene;
@@ -54,6 +81,7 @@ Scene make_scene(const Case& input, Mesh mesh, int refined) {
     if (input.initial_stress) check_initial_stress(*input.initial_stress, scene.mesh);
     require_near(scene.mesh, input.cracks);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
+    scene.nominal = functions_of_nominal(scene);
     if (refined > 0) require_room(scene.mesh, scene.enriched, refined);
     if (refined > 0) require_free_places(scene.mesh, input.boundaries);
     scene.loads = resolve_loads(scene.mesh, input);
@@ -74,6 +102,18 @@ Scene with_functions_left(Scene scene, const EnrichedMesh& before) {
     put_loads_on_unknowns(scene);
     return scene;
 }
+
+std::unique_ptr<Scene> nominal_scene(const Scene& scene) {
+    if (!scene.nominal) return nullptr;
+    auto nominal = std::make_unique<Scene>(scene);
+    nominal->enriched = *scene.nominal;
+    nominal->nominal.reset();
+    nominal->is_nominal = true;
+    put_loads_on_unknowns(*nominal);
+    return nominal;
+}
+
+const EnrichedMesh& nominal_functions(const Scene& scene) { return scene.nominal ? *scene.nominal : scene.enriched; }
 
 void put_loads_on_unknowns(Scene& scene) {
     const ForcesOnUnknowns forces(scene.mesh, scene.enriched);

@@ -1,6 +1,7 @@
 // A case as mechanics for one position of the cracks: mesh, enrichment, loads and supports on unknowns.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,10 @@ struct Scene {
     LoadsOfCase loads;
     FreeMotions free_motions;
     EnrichedMesh enriched;
-    Eigen::VectorXd unit_force;                // on all unknowns at the load factor 1, N/mm
-    std::vector<Eigen::VectorXd> case_forces;  // likewise, one per load case
+    std::shared_ptr<const EnrichedMesh> nominal;  // of the nominal body; null: it has the same functions
+    bool is_nominal = false;                      // made by nominal_scene()
+    Eigen::VectorXd unit_force;                   // on all unknowns at the load factor 1, N/mm
+    std::vector<Eigen::VectorXd> case_forces;     // likewise, one per load case
 
     /// Supports, imposed displacements and the pins of free motions, ascending.
     std::vector<PrescribedUnknown> prescribed;
@@ -60,10 +63,8 @@ struct Scene {
         for (const Tip& tip : enriched.tips) stresses.push_back(materials.yield_stress(tip.material));
         return stresses;
     }
-    [[nodiscard]] MeanDilatation mean_dilatation(int element) const {
-        const int material = mesh.material_of(element);
-        return stria::mean_dilatation(materials.section(material), materials.elastic(material));
-    }
+    /// Where nothing flows nothing locks: there a mean would only let functions of a tip relax the elements about it.
+    [[nodiscard]] MeanDilatation mean_dilatation(int element) const;
 };
 
 /// Enriches and resolves a case on a mesh. Throws CaseError. `refined`: tips need room there (require_room); 0: they
@@ -73,6 +74,12 @@ Scene make_scene(const Case& input, Mesh mesh, int refined = 0);
 /// The same scene, with the tip functions of `before` kept as unknowns where the tip has moved on (growth.retain), but
 /// for those of a tip that is nearly where it was.
 Scene with_functions_left(Scene scene, const EnrichedMesh& before);
+
+/// The nominal body of a scene, where it has functions of its own; else null.
+std::unique_ptr<Scene> nominal_scene(const Scene& scene);
+
+/// Functions of the nominal body of a scene.
+const EnrichedMesh& nominal_functions(const Scene& scene);
 
 /// Loads and supports on the unknowns of an enriched mesh: enriched terms included, the jump held on supported edges.
 void put_loads_on_unknowns(Scene& scene);

@@ -37,7 +37,7 @@ protected:
 
 TEST_F(Check, SaysHowFarKIsFromConverged) {
     const std::string changes = "on elements half as large K_I = ", warns = "# warning: tip 0: K changes by ";
-    const std::string coarse = said_of(1.25), fine = said_of(0.25);
+    const std::string coarse = said_of(3.0), fine = said_of(0.25);
     EXPECT_NE(coarse.find("# tip 0: K_I = "), std::string::npos) << coarse;
     EXPECT_NE(coarse.find(changes), std::string::npos) << coarse;
     EXPECT_NE(coarse.find(warns), std::string::npos) << coarse;

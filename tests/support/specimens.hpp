@@ -108,6 +108,7 @@ inline Case graded_to_tips(Case input, double at_tip = 0.01) {
     return input;
 }
 
+/// With the functions of the scene, also where the nominal body has others.
 struct ElasticSolution {
     coarse::Scene scene;
     coarse::NominalSolution nominal;
@@ -116,7 +117,8 @@ struct ElasticSolution {
     const std::vector<coarse::TipResult>& tips = nominal.tips;
 
     explicit ElasticSolution(const Case& input)
-        : scene(coarse::refined_scene(input)), nominal(coarse::solve_nominal(scene)) {}
+        : scene(coarse::refined_scene(input)),
+          nominal(coarse::solve_nominal(std::make_unique<coarse::Structure>(scene))) {}
     ElasticSolution(const ElasticSolution&) = delete;
     ElasticSolution& operator=(const ElasticSolution&) = delete;
 

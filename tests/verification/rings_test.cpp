@@ -285,7 +285,7 @@ TEST(Rings, OfAGrownTipBehindABendTellAPartOfWhatTheLoadsBring) {
         const double K = increment.K_at_end(0), share = increment.tips[0].J * 200e3 / (1.0 - 0.3 * 0.3) / (K * K);
         std::cout << fmt::format("cycle {}: J / (K^2 / E') {:.4f}\n", increment.step.cycle, share);
         EXPECT_GT(share, 0.4);
-        EXPECT_LT(share, 1.0);
+        EXPECT_LT(share, 1.02) << "the zone, and so J, has no functions";
     }
 }
 

@@ -27,7 +27,7 @@ protected:
         const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
         const coarse::CaseHistories histories(input);
         return coarse::estimate_work(
-            nominal, coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, histories), increment);
+            scene, nominal, coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, histories), increment);
     }
     double increment = 0.1;  // of growth, mm
     Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});

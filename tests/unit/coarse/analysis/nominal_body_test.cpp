@@ -11,13 +11,14 @@
 namespace stria::coarse {
 namespace {
 
+/// Whether the nominal body has functions of its own.
 class NominalBodyOf : public testing::Test {
 protected:
-    NominalBodyOf() {
+    explicit NominalBodyOf(bool has_own = false) : own(has_own) {
         input.load.blocks = {{.cycles = 1, .max = 60.0, .min = 0.0}};
         input.fine.enrichment = Enrichment::None;
         input.growth.emplace().increment = 0.6;
-        scene = std::make_unique<Scene>(refined_scene(input));
+        scene = with_or_without(refined_scene(input));
         still.far = far_elements(*scene, nothing());
         body.stand_on(still, false);
         whole = body.solve(*scene, nullptr, {}, shared);
@@ -27,10 +28,14 @@ protected:
     }
     std::unique_ptr<Structure> solve_longer_by(double by, const Scene* before) {
         input.cracks[0].points.back().x() += by;
-        longer = std::make_unique<Scene>(make_scene(input, scene->mesh));
+        longer = with_or_without(make_scene(input, scene->mesh));
         still = still_elements(*longer, select_zone(*longer, body.largest_K()), still);
         body.stand_on(still, before != nullptr);
         return body.solve(*longer, before, {}, shared);
+    }
+    [[nodiscard]] std::unique_ptr<Scene> with_or_without(Scene made) const {
+        if (!own) made.nominal.reset();
+        return std::make_unique<Scene>(std::move(made));
     }
     [[nodiscard]] ElementSet nothing() const { return ElementSet(scene->mesh.elements.size()); }
     [[nodiscard]] double error_of_K() const {
@@ -38,6 +43,7 @@ protected:
         return std::abs(body.tips().at(0).K_I - K) / K;
     }
 
+    const bool own;
     const Note silent = [](const std::string&) {};
     CoarseEffort effort;
     Case input = test::pulled_plate(0.5, true, false);
@@ -81,11 +87,35 @@ TEST_F(NominalBodyOf, WhatIsBehindTheTipsStaysAsLongAsItsFunctionsDo) {
     for (const CrackPiece& piece : scene->enriched.pieces) tip.insert(piece.element);
     (void)solve_longer_by(0.6, scene.get());
     body.put_behind(mouth);
-    body.keep_behind(scene->enriched, longer->enriched);
+    body.keep_behind(*scene, *longer);
     EXPECT_TRUE(body.has_behind());
     body.put_behind(tip);
-    body.keep_behind(scene->enriched, longer->enriched);
+    body.keep_behind(*scene, *longer);
     EXPECT_FALSE(body.has_behind());
+}
+
+class NominalBodyWithFunctions : public NominalBodyOf {
+protected:
+    NominalBodyWithFunctions() : NominalBodyOf(true) {}
+};
+
+// No function stands in the zone: its crack ends on an edge, up to half an element off, and K with it.
+TEST_F(NominalBodyWithFunctions, FollowsTheTipThroughItsElement) {
+    ASSERT_TRUE(scene->nominal);
+    EXPECT_FALSE(whole) << "the structure has other functions";
+    EXPECT_EQ(body.displacement().size(), scene->enriched.unknowns);
+    const auto far = effort.work.far_factorisations;
+    double last = body.tips().at(0).K_I;
+    for (int step = 0; step < 6; ++step) {
+        std::unique_ptr<Scene> before = longer ? std::move(longer) : nullptr;
+        EXPECT_FALSE(solve_longer_by(0.1, before ? before.get() : scene.get()));
+        EXPECT_LT(error_of_K(), 1e-9);
+        const double K = body.tips().at(0).K_I;
+        EXPECT_NEAR(K / last - 1.0, 0.0184, 0.001) << step;
+        last = K;
+    }
+    EXPECT_EQ(effort.work.far_factorisations, far) << "it stands on that of the structure";
+    EXPECT_TRUE(body.take_rings(nothing()).empty()) << "of other unknowns";
 }
 
 }  // namespace
