@@ -79,7 +79,7 @@ Case two_edge_cracks(double apart, double across, int finer) {
     return input;
 }
 
-// Distances to the other tip, offset and in line. With functions of the tip's element alone K was up to 10 % off.
+// Distances to the other tip, offset and in line. With functions of the tip's element alone K was 2 to 6 % off.
 TEST(NominalBody, OfTipsNearToEachOtherIsKnown) {
     struct Near {
         double apart, across, within;
