@@ -115,7 +115,7 @@ ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const 
 
 /// Where functions change in so many steps of growth, and what is next to that.
 Neighbourhood about_way(const Scene& scene, int tip, int steps) {
-    constexpr double elements_beside = 4.0;
+    constexpr double elements_beside = 4.5;  // what sees a function of the elements about a tip: 3 diagonals
     const double edge = tip_element_edge(scene.enriched, scene.enriched.tips[at(tip)]);
     return {elements_beside * edge, steps * scene.input.growth->increment.value_or(edge)};
 }

@@ -166,6 +166,28 @@ TEST_F(Factors, WhatIsBehindIsNotAboutASplit) {
         for (const int node : scene.mesh.elements[at(e)]) EXPECT_FALSE(corners.contains(node)) << e;
 }
 
+// It would be another one as soon as the tip has moved, and they would be factored anew.
+TEST(WhatIsBehind, HasNoFunctionOfATipBesideIt) {
+    int looked = 0;
+    for (double tip = 7.05; tip < 7.6; tip += 0.05) {
+        const Scene scene = scene_along({{0.0, 20.05}, {tip, 20.05}});
+        const ElementSet zone = select_zone(scene, {0.0});
+        const ElementSet behind = elements_behind(scene, still_elements(scene, zone), ElementSet(zone.size()));
+        looked += behind.none() ? 0 : 1;
+        const EnrichedMesh& mesh = nominal_functions(scene);
+        NodeSet inside(mesh.nodes.size());
+        for (const int e : behind.members())
+            for (const int node : mesh.elements[at(e)]) inside.insert(node);
+        for (const auto& corners : mesh.elements) {
+            if (std::ranges::none_of(corners, [&](int node) { return inside.contains(node); })) continue;
+            for (const int node : corners)
+                for (const Term& term : mesh.terms[at(node)])
+                    EXPECT_EQ(term.kind, Term::Kind::Heaviside) << "a tip at " << tip << ", " << node;
+        }
+    }
+    EXPECT_GT(looked, 3);
+}
+
 // What lies on a far part of other elements cannot serve.
 TEST_F(Factors, OfAMiddlePartServeOnItsFarPartAlone) {
     const Structure before(scene, zone, still),
