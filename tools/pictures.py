@@ -1,6 +1,7 @@
 """What the pictures of the tools have in common: tables read by their columns, and one manner of figure."""
 
 import csv
+import sys
 
 
 def read_table(path):
@@ -9,14 +10,21 @@ def read_table(path):
         return list(csv.DictReader(file))
 
 
-def new_figure(width, height):
-    """A figure with one pair of axes; nothing needs a screen. Inches."""
-    import matplotlib
-
+def drawing():
+    """Matplotlib's pyplot, which needs no screen; ends the tool with one line where it is not there."""
+    try:
+        import matplotlib
+    except ImportError:
+        sys.exit(f"{sys.argv[0]}: a picture needs matplotlib (Debian: python3-matplotlib)")
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    return pyplot.subplots(figsize=(width, height))
+    return pyplot
+
+
+def new_figure(width, height):
+    """A figure with one pair of axes. Inches."""
+    return drawing().subplots(figsize=(width, height))
 
 
 def finish(figure, axes, picture, legend_size):

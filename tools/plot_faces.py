@@ -3,13 +3,13 @@
 
     tools/plot_faces.py runs/sent-compression figure4.png
 
-Needs matplotlib (Debian: python3-matplotlib), which nothing else in the project does.
+Needs matplotlib (Debian: python3-matplotlib), as every picture does.
 """
 
 import argparse
 from pathlib import Path
 
-from pictures import read_table
+from pictures import drawing, read_table
 
 
 def increments_by_load(folder):
@@ -31,11 +31,7 @@ def draw_faces(axes, s, opening, amplification, colour, label):
 
 
 def draw(folder, picture, crack, amplification, zoom):
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
+    plt = drawing()
     plt.rcParams.update({"font.size": 9.5, "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
     blue, red = "#20639b", "#c1403d"
     by_load = increments_by_load(folder)

@@ -3,19 +3,14 @@
 
     tools/plot_slip_loops.py loops.png runs/inclined-compression-study/*/
 
-One loop for each folder that a run with output.faces = "all" has left. Needs matplotlib (Debian: python3-matplotlib),
-which nothing else in the project does.
+One loop for each folder that a run with output.faces = "all" has left. Needs matplotlib (Debian: python3-matplotlib).
 """
 
 import argparse
-import csv
 import tomllib
 from pathlib import Path
 
-
-def read_table(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+from pictures import drawing, read_table
 
 
 def loop_of(folder, crack):
@@ -34,11 +29,7 @@ def friction_of(folder, crack):
 
 
 def draw(picture, folders, crack):
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
+    plt = drawing()
     plt.rcParams.update({"font.size": 9.5, "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
     figure, axes = plt.subplots(figsize=(6.4, 4.2), constrained_layout=True)
     for friction, folder in sorted((friction_of(folder, crack), folder) for folder in folders):

@@ -16,6 +16,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from pictures import drawing
+
 PLANES = ("strain", "stress")
 FUNCTIONS = {  # number of the program: name, colour
     "0": ("none", "#7f7f7f"),
@@ -69,11 +71,7 @@ def print_table(plane, n, rows):
 
 
 def draw(picture, tables):
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
+    pyplot = drawing()
     shown = ("J", "stress_1")
     figure, rows = pyplot.subplots(len(shown), len(tables), figsize=(2.3 * len(tables), 5.2), sharey="row",
                                    squeeze=False)
