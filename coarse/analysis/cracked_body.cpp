@@ -38,7 +38,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
     if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
         still_.far = far_elements(scene, ElementSet(scene.mesh.elements.size()));
         nominal_.stand_on(still_, false);
-        structure_ = nominal_.solve(scene, nullptr, {}, factors_);
+        structure_ = nominal_.solve(scene, {}, factors_);
     }
     nominal_at_start_ = nominal_.response(scene);
     if (from != nullptr) go_on_from(*from);
@@ -178,7 +178,7 @@ ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet expected) {
     const std::vector<double> at_most = expected_K(largest_K());
     still_ = still_elements(longer, expected, still_);
     choose_behind(longer);
-    std::unique_ptr<Structure> body = nominal_.solve(longer, has_zone() ? scene_ : nullptr, expected, factors_);
+    std::unique_ptr<Structure> body = nominal_.solve(longer, expected, factors_);
     if (!has_zone()) structure_ = std::move(body);
     if (!has_zone() || !std::ranges::equal(largest_K(), at_most, std::ranges::less_equal()))
         expected |= select_zone(longer, largest_K());

@@ -11,13 +11,11 @@
 
 namespace stria::coarse {
 
-std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const Scene* before, const ElementSet& zone,
-                                              StructureFactors& shared) {
+std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const ElementSet& zone, StructureFactors& shared) {
     own_ = nominal_scene(scene);
     const Scene& body = own_ ? *own_ : scene;
     const bool far_known = shared.far && shared.far->is_of(still_.far, nullptr);
-    NominalSolution found = serves(scene, before) ? with_tips_moved(scene, still_, zone, std::move(fields_->fields))
-                                                  : solve_whole(body, far_known, zone, shared);
+    NominalSolution found = solve_whole(body, far_known, zone, shared);
     tips_ = std::move(found.tips);
     rings_ = own_ ? std::vector<RingForms>() : std::move(found.rings);
     unit_displacement_ = stria::coarse::unit_displacement(found.fields);
@@ -28,15 +26,7 @@ std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const Scene* b
         displacement_ = own_ ? carry_over(own_->enriched, found.fields.unit, scene.enriched,
                                           Eigen::VectorXd::Zero(scene.enriched.unknowns))
                              : found.fields.unit;
-    fields_.reset();
-    if (far_known && !own_) fields_ = {std::move(found.fields), still_};
     return own_ ? nullptr : std::move(found.structure);
-}
-
-// While a tip moves on inside its element nothing else changes: the body does what it did.
-bool NominalBody::serves(const Scene& scene, const Scene* before) const {
-    return before != nullptr && fields_ && fields_->still == still_ &&
-           same_but_for_tips(before->enriched, scene.enriched);
 }
 
 // Beyond the far body, which it shares with the structure, it condenses what is near or in the zone.
@@ -93,14 +83,12 @@ void NominalBody::keep_behind(const Scene& from, const Scene& to) {
 void NominalBody::turn_to_finer(std::size_t elements) {
     for (ElementSet* set : {&still_.far, &still_.middle, &still_.behind})
         if (set->size() > 0) set->widen(elements);
-    fields_.reset();
     rings_.clear();
 }
 
 void NominalBody::carry_over_to(const EnrichedMesh& from, const EnrichedMesh& to) {
     if (displacement_.size() > 0)
         displacement_ = carry_over(from, displacement_, to, Eigen::VectorXd::Zero(to.unknowns));
-    fields_.reset();
     rings_.clear();
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "coarse/analysis/analysis_state.hpp"
@@ -18,11 +17,10 @@ public:
     /// `effort` and `note` must outlive the body.
     NominalBody(CoarseEffort& effort, const Note& note) : effort_(effort), note_(note) {}
 
-    /// Its response to the load factor 1. `before`: the present scene, where there is a zone; else null. `zone`:
-    /// elements that will be in the zone; of size zero: none. `shared`: factors of the structure; what of far and
-    /// middle parts did not serve is made anew in them. Returns the body; null where the last one's answer served, or
-    /// it has functions of its own.
-    [[nodiscard]] std::unique_ptr<Structure> solve(const Scene& scene, const Scene* before, const ElementSet& zone,
+    /// Its response to the load factor 1. `zone`: elements that will be in the zone; of size zero: none. `shared`:
+    /// factors of the structure; what of far and middle parts did not serve is made anew in them. Returns the body;
+    /// null where it has functions of its own.
+    [[nodiscard]] std::unique_ptr<Structure> solve(const Scene& scene, const ElementSet& zone,
                                                    StructureFactors& shared);
 
     /// What a state knows of it. `scene`: of its cracks; `is_other`: than that which has been solved.
@@ -66,7 +64,6 @@ public:
 private:
     [[nodiscard]] NominalSolution solve_whole(const Scene& scene, bool far_known, const ElementSet& zone,
                                               StructureFactors& shared);
-    [[nodiscard]] bool serves(const Scene& scene, const Scene* before) const;
     void find_largest_K(const Scene& scene);
 
     CoarseEffort& effort_;
@@ -77,11 +74,6 @@ private:
     std::vector<TipResult> tips_;
     std::vector<RingForms> rings_;  // of the present scene, until they are taken
     Eigen::VectorXd displacement_;
-    struct FieldsBesideFar {
-        NominalFields fields;
-        StillElements still;  // with which they were found
-    };
-    std::optional<FieldsBesideFar> fields_;  // of the present scene; none: not known near the tips alone
     UnitDisplacement unit_displacement_;
     std::vector<double> largest_K_;
     double first_length_ = 0.0;  // of the crack of the first tip at the start, mm

@@ -46,13 +46,6 @@ std::vector<TipResult> with_other_loads(std::vector<TipResult> tips, const Struc
     return tips;
 }
 
-NominalSolution solution_of_K(std::unique_ptr<Structure> body, const CoarseElements& elements, const ElementSet& for_K,
-                              NominalFields fields) {
-    StructureRings rings(elements, StructureRings::forms_of(elements, for_K));
-    std::vector<TipResult> tips = with_other_loads(nominal_K(rings, fields.unit), rings, fields);
-    return {nullptr, std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
-}
-
 }  // namespace
 
 NominalSolution solve_nominal(std::unique_ptr<Structure> body) {
@@ -66,14 +59,9 @@ NominalSolution solve_nominal(std::unique_ptr<Structure> body) {
 
 NominalSolution solve_nominal_near(std::unique_ptr<Structure> body, const ElementSet& for_K) {
     NominalFields fields = fields_of(*body, near_displacement(*body, 1.0, 0.0));
-    const CoarseElements& elements = body->elements();
-    return solution_of_K(std::move(body), elements, for_K, std::move(fields));
-}
-
-NominalSolution with_tips_moved(const Scene& scene, const StillElements& still, const ElementSet& for_K,
-                                NominalFields known) {
-    const CoarseElements elements(scene, ElementSet(scene.mesh.elements.size()), still);
-    return solution_of_K(nullptr, elements, for_K, std::move(known));
+    StructureRings rings(body->elements(), StructureRings::forms_of(body->elements(), for_K));
+    std::vector<TipResult> tips = with_other_loads(nominal_K(rings, fields.unit), rings, fields);
+    return {nullptr, std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
 }
 
 NominalSolution solve_nominal(const Scene& scene) {

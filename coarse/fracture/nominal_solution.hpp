@@ -23,7 +23,7 @@ struct NominalFields {
 
 struct NominalSolution {
     std::unique_ptr<const Scene> scene;    // where the nominal body has functions of its own
-    std::unique_ptr<Structure> structure;  // of the whole body: no element is in a zone; null: it was not condensed
+    std::unique_ptr<Structure> structure;  // of the whole body: no element is in a zone
     NominalFields fields;
     std::vector<TipResult> tips;   // one per tip
     std::vector<RingForms> rings;  // likewise, of all near elements: for a structure beside a zone on this scene
@@ -35,11 +35,6 @@ struct NominalSolution {
 /// Finds the displacement of near elements alone, which is all that K needs, and K and T alone (nominal_K()). Costs
 /// less. `for_K`: elements that will be in the zone, of whose rings nobody asks for more; of size zero: none.
 [[nodiscard]] NominalSolution solve_nominal_near(std::unique_ptr<Structure> body, const ElementSet& for_K = {});
-
-/// The same on a scene of which the fields are known, for it differs in nothing but the places of its tips
-/// (same_but_for_tips()). `still`: of its far elements the fields are zero.
-[[nodiscard]] NominalSolution with_tips_moved(const Scene& scene, const StillElements& still, const ElementSet& for_K,
-                                              NominalFields known);
 
 /// Condenses the whole body for it. `scene` must outlive the solution.
 [[nodiscard]] NominalSolution solve_nominal(const Scene& scene);

@@ -70,12 +70,7 @@ Case two_edge_cracks(double apart, double across, int finer) {
     input.material.poisson = poisson;
     input.cracks = {{.points = {{0.0, 20.3}, {20.2, 20.3}}, .contact = {}},
                     {.points = {{40.0, 20.3 + across}, {20.2 + apart, 20.3 + across}}, .contact = {}}};
-    for (const double side : {1.0, -1.0}) {
-        BoundarySection pulled;
-        pulled.on = side > 0.0 ? "top" : "bottom";
-        pulled.traction = Vec2(0.0, side);
-        input.boundaries.push_back(pulled);
-    }
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     return input;
 }
 

@@ -7,11 +7,9 @@
 
 #include <cmath>
 
-#include "coarse/elements/near_elements.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/refined_scene.hpp"
-#include "common/enrichment/same_functions.hpp"
 #include "common/index.hpp"
 #include "tests/support/elastic_scene.hpp"
 #include "tests/support/pulled_plate.hpp"
@@ -57,42 +55,6 @@ TEST(NominalSolution, KeepsRingsForAStructureBesideAZone) {
         EXPECT_EQ(own[ring].interaction_I, of_all[ring].interaction_I);
         EXPECT_EQ(own[ring].rotation, of_all[ring].rotation);
     }
-}
-
-class TipThatMoves : public testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(NominalSolution, TipThatMoves, testing::Bool());
-
-// Where it is the crack's first point, too: all arc lengths are others then.
-TEST_P(TipThatMoves, InsideItsElementLeavesTheNominalSolution) {
-    Case input = test::pulled_plate(0.5, false, false);
-    input.mesh.width = input.mesh.height = 40.0;
-    input.fine.enrichment = Enrichment::None;
-    const auto points_to = [](double x) {
-        std::vector<Vec2> points{{0.0, 20.2}, {x, 20.2}};
-        if (GetParam()) std::ranges::reverse(points);
-        return points;
-    };
-    input.cracks[0].points = points_to(7.3);
-    const Mesh mesh = make_mesh(input.mesh, input.cracks, input.regions);
-    const auto with_tip_at = [&](double x) {
-        input.cracks[0].points = points_to(x);
-        return make_scene(input, mesh);
-    };
-    const Scene before = with_tip_at(7.3), after = with_tip_at(7.301);
-    ASSERT_TRUE(same_but_for_tips(before.enriched, after.enriched));
-    EXPECT_NE(same_arc_lengths(before.enriched, after.enriched), GetParam());
-    const ElementSet none(before.mesh.elements.size());
-    const StillElements still = still_elements(before, none);
-    ASSERT_EQ(still, still_elements(after, none, still));
-    const auto solve = [&](const Scene& scene) {
-        return solve_nominal_near(std::make_unique<Structure>(scene, none, still));
-    };
-    const NominalSolution known = solve(before), whole = solve(after);
-    const NominalSolution moved = with_tips_moved(after, still, {}, known.fields);
-    EXPECT_EQ(moved.tips[0].K_I, whole.tips[0].K_I);
-    EXPECT_EQ(moved.tips[0].a, whole.tips[0].a);
-    EXPECT_NE(known.tips[0].K_I, whole.tips[0].K_I);
-    EXPECT_EQ(moved.fields.mean_displacement, whole.fields.mean_displacement);
 }
 
 // The quadrature of the auxiliary fields in elements as coarse as these does not know that turning does no work.
