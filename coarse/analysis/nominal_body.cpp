@@ -15,7 +15,9 @@ std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const ElementS
     own_ = nominal_scene(scene);
     const Scene& body = own_ ? *own_ : scene;
     const bool far_known = shared.far && shared.far->is_of(still_.far, nullptr);
-    NominalSolution found = solve_whole(body, far_known, zone, shared);
+    // The structure takes rings of its own scene alone.
+    NominalSolution found =
+        solve_whole(body, far_known, own_ ? ElementSet(body.mesh.elements.size(), true) : zone, shared);
     tips_ = std::move(found.tips);
     rings_ = own_ ? std::vector<RingForms>() : std::move(found.rings);
     unit_displacement_ = stria::coarse::unit_displacement(found.fields);
@@ -30,7 +32,7 @@ std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const ElementS
 }
 
 // Beyond the far body, which it shares with the structure, it condenses what is near or in the zone.
-NominalSolution NominalBody::solve_whole(const Scene& scene, bool far_known, const ElementSet& zone,
+NominalSolution NominalBody::solve_whole(const Scene& scene, bool far_known, const ElementSet& for_K,
                                          StructureFactors& shared) {
     note_if_large(scene, "elastic solution of the whole body", note_);
     auto core = std::exchange(shared.core, nullptr);
@@ -38,7 +40,7 @@ NominalSolution NominalBody::solve_whole(const Scene& scene, bool far_known, con
     auto body = timed_condense(scene, ElementSet(scene.mesh.elements.size()), still_, shared, effort_);
     behind_ = std::exchange(shared.behind, nullptr);
     shared.core = std::move(core);
-    return far_known ? solve_nominal_near(std::move(body), zone) : solve_nominal(std::move(body));
+    return far_known ? solve_nominal_near(std::move(body), for_K) : solve_nominal(std::move(body));
 }
 
 void NominalBody::find_largest_K(const Scene& scene) {

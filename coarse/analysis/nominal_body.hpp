@@ -62,7 +62,7 @@ public:
     void carry_over_to(const EnrichedMesh& from, const EnrichedMesh& to);
 
 private:
-    [[nodiscard]] NominalSolution solve_whole(const Scene& scene, bool far_known, const ElementSet& zone,
+    [[nodiscard]] NominalSolution solve_whole(const Scene& scene, bool far_known, const ElementSet& for_K,
                                               StructureFactors& shared);
     void find_largest_K(const Scene& scene);
 

@@ -33,7 +33,7 @@ struct NominalSolution {
 [[nodiscard]] NominalSolution solve_nominal(std::unique_ptr<Structure> body);
 
 /// Finds the displacement of near elements alone, which is all that K needs, and K and T alone (nominal_K()). Costs
-/// less. `for_K`: elements that will be in the zone, of whose rings nobody asks for more; of size zero: none.
+/// less. `for_K`: elements of whose rings nobody asks for more, as those that will be in the zone; of size zero: none.
 [[nodiscard]] NominalSolution solve_nominal_near(std::unique_ptr<Structure> body, const ElementSet& for_K = {});
 
 /// Condenses the whole body for it. `scene` must outlive the solution.
