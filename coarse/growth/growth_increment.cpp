@@ -14,11 +14,12 @@ GrowthPoint point_of(double rate, const CycleResult& tip) {
     return {.a = tip.a, .per_mm = 1.0 / rate, .closure = std::isfinite(K_op) ? K_op / tip.K_max : 0.0};
 }
 
+// Half way into a larger element a tip is a whole element beyond the edge on which its faces end, and goes on by one.
 double from_edge_to_edge(double increment, const TipSteps& steps, bool one) {
     if (steps.element == 0.0) return increment;
     constexpr double rounding = 1e-6;
     const double elements = one ? 1.0 : std::max(std::floor(increment / steps.element + rounding), 1.0);
-    return elements * steps.element - steps.beyond;
+    return elements * steps.element - std::remainder(steps.beyond, steps.element);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ struct TipSteps {
     std::size_t tip = 0;  // its number
     double least = 0.0;
     double element = 0.0;  // increments are whole numbers of it; 0: of any size
-    double beyond = 0.0;   // Tip::beyond, which the next one makes up for
+    double beyond = 0.0;   // Tip::beyond: the next one makes up for what of it is no whole element
 };
 
 /// Increments of the fastest tip: at most `zone_fraction` of the plastic zone that the tip has just loaded, straight

@@ -125,6 +125,8 @@ TEST(GrowthIncrement, GoesFromOneElementEdgeToAnother) {
     EXPECT_NEAR(next_from(0.0, 0.03), 0.04, 1e-14);
     EXPECT_NEAR(next_from(0.0, 0.0), 0.07, 1e-14);
     EXPECT_NEAR(next_from(0.09, 0.0), 0.07, 1e-14);  // a quarter of the zone is 0.1: no second element fits
+    EXPECT_NEAR(next_from(0.0, 0.07), 0.07, 1e-14) << "half way into an element twice as large";
+    EXPECT_NEAR(next_from(0.0, 0.08), 0.06, 1e-14);
 }
 
 // A crest at the end of two elements would hold the faces: it matters where they drive the growth.
