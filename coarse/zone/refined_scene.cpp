@@ -1,23 +1,54 @@
 #include "coarse/zone/refined_scene.hpp"
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <utility>
 
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/nominal_solution.hpp"
+#include "coarse/fracture/turned_tip.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/tip_refinement.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
+namespace {
+
+/// The cracks, those longer that turn sharply as soon as they grow: metal flows on that way before a tip is there, and
+/// what has flowed is never split. By K of the largest load; beside load cases they go straight on.
+std::vector<CrackSection> about_to_turn(const Scene& scene, const UnitResponse& nominal) {
+    const Case& input = scene.input;
+    std::vector<CrackSection> cracks = input.cracks;
+    if (!input.growth || input.growth->direction == GrowthDirection::Straight || !input.load_cases.empty())
+        return cracks;
+    const double factor = range_of_load(input.load, nominal).largest;
+    for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
+        const Tip& tip = scene.enriched.tips[t];
+        const double K_I = factor * nominal.K_I[t] + nominal.K_initial[t],
+                     angle = hoop_stress_angle(K_I, factor * nominal.K_II[t] + nominal.K_II_initial[t]);
+        if (!(K_I > 0.0) || !(std::abs(angle) > sharp_turn)) continue;
+        const Vec2 step = 0.1 * tip_element_edge(scene.enriched, tip) * (Eigen::Rotation2Dd(angle) * tip.direction);
+        std::vector<Vec2>& points = cracks[at(tip.crack)].points;
+        points.insert(tip.upper < 0 ? points.begin() : points.end(), tip.position + step);
+    }
+    return cracks;
+}
+
+}  // namespace
 
 Scene refined_scene(const Case& input, const std::function<void(const Scene&)>& before_solving) {
     Scene scene =
         make_scene(input, make_mesh(input.mesh, input.cracks, input.regions, input.boundaries), input.fine.refine);
     if (input.fine.refine == 1) return scene;
     std::vector<double> K(scene.enriched.tips.size(), 0.0);
+    std::vector<CrackSection> cracks = input.cracks;
     if (!input.fine.radius || input.growth) {
         if (before_solving) before_solving(scene);
-        K = largest_K(input.load, unit_response(solve_nominal(scene)), 0.0, CaseHistories(input));
+        const UnitResponse nominal = unit_response(solve_nominal(scene));
+        K = largest_K(input.load, nominal, 0.0, CaseHistories(input));
+        cracks = about_to_turn(scene, nominal);
     }
-    Mesh refined = refine(scene.mesh, disks_about_tips(scene, input.cracks, K, Room::ToGrow)).mesh;
+    Mesh refined = refine(scene.mesh, disks_about_tips(scene, cracks, K, Room::ToGrow)).mesh;
     refined.material.clear();  // small elements tell the outlines of regions better
     return make_scene(input, std::move(refined));
 }

@@ -79,6 +79,21 @@ TEST(RefinedScene, HasRoomToGrowWhateverTheLengthOfTheRun) {
     EXPECT_EQ(refined_scene(input).mesh.elements, room.mesh.elements);
 }
 
+// What flows there before the tip has turned is never split. It turns by about 45 degrees.
+TEST(RefinedScene, HasSmallElementsWhereACrackIsAboutToTurn) {
+    Case input = plate(8, 80.0);
+    input.fine.radius = 2.0;
+    input.fine.growth = 0.29;
+    const Vec2 tip(8.4, 8.2);
+    input.cracks[0].points = {{0.0, 10.3}, {6.3, 10.3}, tip};
+    input.growth = GrowthSection{.increment = 0.25};
+    const Vec2 turned = tip + Vec2(1.8, 0.0);
+    const auto size_there = [&](const Vec2& place) { return size_at(refined_scene(input), place); };
+    EXPECT_NEAR(size_there(turned), 0.125, 1e-12);
+    input.growth->direction = GrowthDirection::Straight;
+    EXPECT_NEAR(size_there(turned), 0.25, 1e-12);
+}
+
 TEST(RefinedScene, SaysWhichBodyItSolvesBeforeItDoes) {
     const auto elements_heard_of = [](const Case& input) {
         std::vector<std::size_t> elements;
