@@ -63,25 +63,15 @@ double StandingPoints::stored(int e, const Eigen::VectorXd& u, const BulkElement
 }
 
 // What its stresses have changed by since it was looked at the last time proves most elements elastic. Of the others
-// the law tells, as of any point, and how much is left until one yields.
+// the yield surface tells how much is left until a point yields: nobody needs to know to where it would return.
 bool StandingPoints::would_yield_at(int e, const Eigen::VectorXd& u, const BulkElements& elements,
                                     PointHistory& history) {
     if (bound_.proves_at(e, u)) return false;
     const ElementOperator& op = elements.op(e);
-    const auto forget = [&] {  // a look is no trial, whatever comes of it
-        history.set_elastic(e);
-        history.rollback(e);
-    };
-    try {
-        history.update(op, e, ahead(op, e, u));
-    } catch (...) {
-        forget();
-        throw;
-    }
-    const bool yields = history.yields(e);
-    if (!yields) bound_.look_at(e, gather(u, op.unknowns), history.trial_elastic_margin(e));
-    forget();
-    return yields;
+    const double margin = history.elastic_margin_behind(op, e, ahead(op, e, u), elements.elastic_stiffness(e));
+    if (margin < 0.0) return true;
+    bound_.look_at(e, gather(u, op.unknowns), margin);
+    return false;
 }
 
 }  // namespace stria::fine

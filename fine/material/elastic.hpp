@@ -15,7 +15,7 @@ public:
     [[nodiscard]] int state_size() const override { return state::plastic_strain; }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                 double* tangent, unsigned char* yielding) const override;
-    [[nodiscard]] double elastic_margin(int /*points*/, int /*stride*/, const double* /*committed*/) const override {
+    [[nodiscard]] double elastic_margin(int /*points*/, int /*stride*/, const double* /*states*/) const override {
         return std::numeric_limits<double>::infinity();
     }
     [[nodiscard]] double stored_energy(const double* state, int stride) const override {

@@ -20,8 +20,8 @@ public:
                        .yielding = yielding},
                       points, stride);
     }
-    [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const override {
-        return parameters_.elastic_margin(points, stride, committed);
+    [[nodiscard]] double elastic_margin(int points, int stride, const double* states) const override {
+        return parameters_.elastic_margin(points, stride, states);
     }
     [[nodiscard]] double stored_energy(const double* state, int stride) const override {
         return parameters_.stored_energy(state, stride);

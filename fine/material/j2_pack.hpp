@@ -9,11 +9,6 @@
 
 namespace stria::fine {
 
-/// The return leaves a point on the yield surface up to rounding, and an increment of nothing must not make it flow: a
-/// point flows where its overstress exceeds this fraction of the yield stress, far above rounding and below any
-/// tolerance.
-inline constexpr double overstress_tolerance = 1e-10;
-
 /// One update: what all its packs have in common.
 struct J2Update {
     const J2Parameters& law;

@@ -21,18 +21,18 @@ bool J2Parameters::has_thresholds() const {
     return std::ranges::any_of(kinematic, [](const KinematicHardening& term) { return term.threshold; });
 }
 
-double J2Parameters::elastic_margin(int points, int stride, const double* committed) const {
+double J2Parameters::elastic_margin(int points, int stride, const double* states) const {
     double margin = std::numeric_limits<double>::infinity();
     for_each_pack<pack_size>(points, stride, [&]<int rows>(PackPlace<rows> at) {
-        Tensors<rows> relative = deviators<rows>(at.tensors(committed, state::stress));
+        Tensors<rows> relative = deviators<rows>(at.tensors(states, state::stress));
         for (std::size_t k = 0; k < kinematic.size(); ++k)
-            relative -= at.tensors(committed, state::back_stress + 4 * static_cast<int>(k));
+            relative -= at.tensors(states, state::back_stress + 4 * static_cast<int>(k));
         const Scalars<rows> equivalent = (1.5 * contraction<rows>(relative, relative)).sqrt();
-        const Scalars<rows> p = at.scalars(committed, state::accumulated);
-        const Scalars<rows> left = yield_stress + isotropic.value(p) - equivalent;
+        const Scalars<rows> p = at.scalars(states, state::accumulated);
+        const Scalars<rows> left = (1.0 + overstress_tolerance) * (yield_stress + isotropic.value(p)) - equivalent;
         margin = std::min(margin, left.minCoeff());
     });
-    return std::max(margin, 0.0);
+    return margin;
 }
 
 double J2Parameters::stored_energy(const double* state, int stride) const {

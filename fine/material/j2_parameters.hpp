@@ -10,6 +10,11 @@
 
 namespace stria::fine {
 
+/// The return leaves a point on the yield surface up to rounding, and an increment of nothing must not make it flow: a
+/// point flows where its overstress exceeds this fraction of the yield stress, far above rounding and below any
+/// tolerance.
+inline constexpr double overstress_tolerance = 1e-10;
+
 /// C(p), MPa, of a number or of a pack of points.
 template <class P> [[nodiscard]] P modulus(const KinematicHardening& term, const P& p) {
     if (!term.C_start) return 0.0 * p + term.C;
@@ -41,7 +46,7 @@ struct J2Parameters {
 
     [[nodiscard]] int state_size() const { return state::back_stress + 4 * static_cast<int>(kinematic.size()); }
     /// As in MaterialLaw.
-    [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const;
+    [[nodiscard]] double elastic_margin(int points, int stride, const double* states) const;
 
     /// Of sigma : d eps_p = X : d eps_p + (sigma_y + R) dp hardening stores R dp and, of the first term, what changes
     /// 3/4 X : X / C, one of a kind for every back stress; both are functions of the state. What recall takes of it,

@@ -49,9 +49,9 @@ public:
     virtual void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                         double* tangent, unsigned char* yielding) const = 0;
 
-    /// The smallest change of the von Mises stress that makes one of the committed points flow, MPa, not below zero;
-    /// infinite where nothing can.
-    [[nodiscard]] virtual double elastic_margin(int points, int stride, const double* committed) const = 0;
+    /// The smallest change of the von Mises stress that makes a point flow, MPa; below zero: one flows, as its state
+    /// would be without. Infinite where nothing can. `states`: as update() has them.
+    [[nodiscard]] virtual double elastic_margin(int points, int stride, const double* states) const = 0;
 
     /// Energy density that a point holds, N/mm2: elastic, and what hardening stores. `state`: its first component, the
     /// others `stride` apart.

@@ -1,6 +1,7 @@
 // Which elements surely stay elastic: their points need not be looked at.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -28,10 +29,10 @@ public:
     void reserve(std::span<const ElementOperator> operators) { changes_.reserve(operators); }
 
     /// At a displacement in the order of its unknowns, mm, an element's points are so far from the yield surface, MPa:
-    /// the smallest distance of any. The coming changes begin there.
+    /// the smallest distance of any, below zero beyond it. The coming changes begin there.
     void look_at(int element, const Eigen::VectorXd& element_u, double margin) {
         changes_.look_at(element, element_u);
-        margin_[at(element)] = margin;
+        margin_[at(element)] = std::max(margin, 0.0);
     }
 
     /// Nothing flows on the way from there to a displacement of all unknowns of the mesh, mm, nor on one that is longer

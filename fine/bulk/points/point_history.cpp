@@ -1,8 +1,11 @@
 #include "fine/bulk/points/point_history.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "common/error.hpp"
 #include "fine/bulk/points/element_kernels.hpp"
 
 namespace stria::fine {
@@ -57,6 +60,25 @@ void PointHistory::update(const ElementOperator& op, int e, const Eigen::VectorX
         throw;
     }
     restore();
+}
+
+double PointHistory::elastic_margin_behind(const ElementOperator& op, int e, const Eigen::VectorXd& way,
+                                           const MandelMatrix& elastic) {
+    double told = 0.0;  // what is no number among the changes stays in it
+    rollback(e);
+    with_kernel(op, [&](const auto& kernel) {
+        const auto nodal = kernel.nodal(way.data());
+        for (std::size_t q = 0; q < at(points(e)); ++q) {
+            const Mandel change = elastic * kernel.strain(nodal, q);
+            for (int c = 0; c < 4; ++c) trial_[place(state::stress + c, e, q)] += change[c];
+            told += change.sum();
+        }
+    });
+    const double margin = law(e).elastic_margin(points(e), points(), &trial_[place(0, e, 0)]);
+    rollback(e);
+    if (!std::isfinite(told) || margin == -std::numeric_limits<double>::infinity())
+        throw NumericalFailure("the stress of an element at rest is not finite");
+    return margin;
 }
 
 // The strains are written.

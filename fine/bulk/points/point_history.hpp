@@ -70,9 +70,11 @@ public:
     [[nodiscard]] double elastic_margin(int e) const {
         return law(e).elastic_margin(points(e), points(), first_committed(e));
     }
-    [[nodiscard]] double trial_elastic_margin(int e) const {
-        return law(e).elastic_margin(points(e), points(), &trial_[place(0, e, 0)]);
-    }
+    /// The same behind an elastic way, in the order of its unknowns, mm, with the elastic stiffness of its points;
+    /// below zero: it would yield there. Its law is not asked. Throws NumericalFailure where its stress is not finite.
+    /// Trial states are the committed ones afterwards.
+    [[nodiscard]] double elastic_margin_behind(const ElementOperator& op, int e, const Eigen::VectorXd& way,
+                                               const MandelMatrix& elastic);
 
     // Who yields, and who is plastic.
 

@@ -37,6 +37,7 @@ TEST_F(Standing, YieldWhereTheStateMeetsTheYieldCriterion) {
         EXPECT_EQ(history.trial_stress(e, 0), Mandel(Mandel::Zero()));
         EXPECT_FALSE(history.yields(e));
     }
+    EXPECT_EQ(history.evaluated(), 0);  // no law is asked where it would return to
 }
 
 // One corner moves so far that the squares of some stresses are no numbers, and those of points before them are.
