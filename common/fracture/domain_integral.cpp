@@ -98,9 +98,8 @@ void RingSums::begin_way_from(int stand) {
     std::ranges::fill(std::span(shares_).subspan(*known.share, entered_.size()), ElasticShare());
 }
 
-void RingSums::tell_way(const IntegrationPoint& point, const ElasticPoint& standing) {
+void RingSums::tell_way(const IntegrationPoint& point, const ElasticResponse& response) {
     if (!points_are_known_) look_at(point);
-    const ElasticResponse response(standing, point.weight, tip_.direction);
     const std::array<AuxiliaryField, 3>& fields = fields_[next_field_++];
     for (ElasticShare& share : std::span(shares_).subspan(*known_[place_].share, entered_.size()))
         share.add(response, weighted_[next_weighted_++], fields);

@@ -62,7 +62,7 @@ public:
     [[nodiscard]] bool knows_way_from(int stand) const { return known_[place_].stand == stand; }
     /// If not, it is to be told, and then point by point.
     void begin_way_from(int stand);
-    void tell_way(const IntegrationPoint& point, const ElasticPoint& standing);
+    void tell_way(const IntegrationPoint& point, const ElasticResponse& response);
     /// All points of the element at once. `motion`: from where they stand.
     void add_moved(const NodeMotion& motion);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace stria::fine {
 
@@ -36,30 +37,14 @@ std::optional<NodeMotion> motion_of(const Bulk& bulk, int e) {
     return moved.isZero(0.0) ? std::nullopt : std::optional(stria::motion_of(moved));
 }
 
-/// What is at a point of such an element where it stands, and per motion.
-ElasticPoint standing_point(const Bulk& bulk, EnergyDensity density, int e, std::size_t q) {
-    const BulkElements& elements = bulk.elements();
-    const PointHistory& history = bulk.history();
-    const ElementKernel<4> kernel(elements.op(e));
-    const Eigen::Matrix<double, 2, 4> stand = kernel.nodal(bulk.standing().displacement(e).data());
-    const Mandel stress = history.stress(e, q);
-    const Eigen::Matrix<double, 4, 6> strain = kernel.strain_matrix(q).rightCols<6>();
-    return {.stress = stress,
-            .work = density == EnergyDensity::StressWork
-                        ? history.work(e, q)
-                        : elements.materials().elastic(elements.mesh().material_of(e)).energy(stress),
-            .gradient = kernel.displacement_gradient(stand, q) + history.frozen_gradient(e, q),
-            .functions = elements.op(e).gradients[q].bottomRows<3>(),
-            .strain = strain,
-            .stress_change = elements.elastic_stiffness(e) * strain};
-}
-
-void add_moved(RingSums& rings, const Bulk& bulk, EnergyDensity density, int e, const NodeMotion& motion) {
+void add_moved(RingSums& rings, const Bulk& bulk, EnergyDensity density, int e, const NodeMotion& motion,
+               ElasticAnswers& answers) {
     const int stand = bulk.standing().times_moved(e);
     if (!rings.knows_way_from(stand)) {
         rings.begin_way_from(stand);
-        const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
-        for (std::size_t q = 0; q < points.size(); ++q) rings.tell_way(points[q], standing_point(bulk, density, e, q));
+        const std::span<const ElasticResponse> responses = answers.of(bulk, density, rings.tip().direction, e);
+        for (std::size_t q = 0; q < responses.size(); ++q)
+            rings.tell_way(bulk.elements().op(e).points[q], responses[q]);
     }
     rings.add_moved(motion);
 }
@@ -67,7 +52,7 @@ void add_moved(RingSums& rings, const Bulk& bulk, EnergyDensity density, int e, 
 }  // namespace
 
 // Most elements of a long wake are elastic for many increments.
-void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density) {
+void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density, ElasticAnswers& answers) {
     const Materials& materials = bulk.elements().materials();
     for (const int e : rings.elements()) {
         rings.enter(e);
@@ -75,7 +60,7 @@ void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density) {
                                !materials.are_alike(rings.tip().material, bulk.elements().mesh().material_of(e));
         const std::optional<NodeMotion> motion = adds_more ? std::nullopt : motion_of(bulk, e);
         if (motion)
-            add_moved(rings, bulk, density, e, *motion);
+            add_moved(rings, bulk, density, e, *motion, answers);
         else
             add_points(rings, bulk, density, e);
     }

@@ -5,11 +5,12 @@
 #include "common/fracture/domain_integral.hpp"
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
+#include "fine/bulk/elastic_answers.hpp"
 
 namespace stria::fine {
 
-/// Adds the committed bulk's share to the domain integrals of a tip.
-void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density);
+/// Adds the committed bulk's share to the domain integrals of a tip. `answers`: of this bulk to it, so far.
+void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density, ElasticAnswers& answers);
 
 /// Of the trial state, per element: points that yield.
 [[nodiscard]] std::vector<std::int32_t> yielding_points(const Bulk& bulk);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "common/case/case_questions.hpp"
 #include "common/crack/crack_crossings.hpp"
@@ -103,7 +104,7 @@ void put_faces(const TrialFaces& faces, coupling::Digest& digest) {
 }
 
 std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
-                               const std::vector<CrackSection>& cracks, int subcells) {
+                               const std::vector<CrackSection>& cracks, int subcells, std::vector<TipRings> before) {
     std::vector<TipRings> all;
     std::vector<int> elements(patch.mesh.elements.size());
     std::iota(elements.begin(), elements.end(), 0);
@@ -126,7 +127,8 @@ std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& ma
             {.sums = {patch.mesh, tip, materials.elastic(tip.material), std::move(annuli), elements, with_inside},
              .numbers = std::move(numbers),
              .stations = {},
-             .density = density});
+             .density = density,
+             .answers = at(t) < before.size() ? std::move(before[at(t)].answers) : ElasticAnswers()});
         if (!may_touch(crack)) continue;
         std::vector<FaceStation>& stations = all.back().stations = face_stations_about(patch.mesh, tip, subcells, 4);
         const Notch notch = notch_of(crack, patch.mesh.grown_at_start_of(tip.crack));
@@ -157,10 +159,10 @@ std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
 std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::vector<TipRings>& rings) {
     std::vector<coupling::RingReport> reports;
     for (int t = 0; t < std::ssize(rings); ++t) {
-        auto& [sums, numbers, stations, density] = rings[at(t)];
+        auto& [sums, numbers, stations, density, answers] = rings[at(t)];
         if (numbers.empty()) continue;
         sums.clear();
-        add_to(sums, zone.bulk, density);
+        add_to(sums, zone.bulk, density, answers);
         add_tractions(sums, zone, stations);
         for (std::size_t k = 0; k < numbers.size(); ++k) reports.push_back({t, numbers[k], sums.values()[k]});
     }

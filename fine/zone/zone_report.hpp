@@ -46,11 +46,13 @@ struct TipRings {
     std::vector<int> numbers;  // coupling::Ring::number
     std::vector<FaceStation> stations;
     EnergyDensity density;
+    ElasticAnswers answers;
 };
 /// One per tip of the patch, which must outlive them. `cracks`: those that the run began with. `subcells`: of the
-/// faces.
+/// faces. `before`: empty, or those of the same bulk, from where its tips have moved on.
 [[nodiscard]] std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
-                                             const std::vector<CrackSection>& cracks, int subcells);
+                                             const std::vector<CrackSection>& cracks, int subcells,
+                                             std::vector<TipRings> before = {});
 
 /// Puts into a report what it says of tips, lengths in contact and mouths and, where they are read, of rings and faces.
 /// `cracks`: how many the case has.

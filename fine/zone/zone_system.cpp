@@ -47,6 +47,7 @@ TakenOver ZoneSystem::begin_zone(const coupling::Patch& patch) {
     bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), input_.rule(), old.get(),
                                    memory_.committed.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
+    rings_.clear();
     begin_with(patch);
     if (old) open_new_faces(before);
     return taken_over(bulk_->elements(), false, *contact_, old_contact.get());
@@ -66,7 +67,7 @@ void ZoneSystem::begin_with(const coupling::Patch& patch) {
     summary_.emplace(*bulk_);  // new weights are no flow
     at_rest_ = ZoneAtRest(*bulk_, *contact_, UnknownSet(patch_.mesh.unknowns + contact_->tractions()));
     contact_->settle(memory_.committed.displacement);
-    rings_ = rings_of(patch_, input_.materials, input_.cracks, subcells_at_crack(input_.fine));
+    rings_ = rings_of(patch_, input_.materials, input_.cracks, subcells_at_crack(input_.fine), std::move(rings_));
 }
 
 // No stress has changed: what is out of balance on a new jump is what the metal transmitted there.
@@ -81,10 +82,7 @@ void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
     memory_.opening.open(before, patch_.mesh, -force);
 }
 
-void ZoneSystem::put_aside() {
-    memory_.increments.put_aside(
-        {trial_.displacement - memory_.committed.displacement, trial_.traction - memory_.committed.traction});
-}
+void ZoneSystem::put_aside() { memory_.increments.put_aside(way_to_trial()); }
 
 void ZoneSystem::predict(const Predictor& predictor) {
     if (!predictor.goes_on) trial_ = memory_.committed;
@@ -214,8 +212,7 @@ double ZoneSystem::smallest_slip() const {
 coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
     // Where a face is open the solver has left the rounding of a pressure: it would count as contact.
     contact_->clean(trial_.traction);
-    const ZoneUnknowns move{trial_.displacement - memory_.committed.displacement,
-                            trial_.traction - memory_.committed.traction};
+    const ZoneUnknowns move = way_to_trial();
     const double dissipated = summary_->dissipation();
     coupling::StepReport report;
     report.energy = spent_at_faces(what.releases);
@@ -294,6 +291,7 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     const coupling::WorkCounts so_far = bulk_ ? bulk_->counts() : coupling::WorkCounts();
     bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), input_.rule(), snapshot);
     bulk_->count_on_from(so_far);
+    rings_.clear();
     begin_with(patch);
 }
 

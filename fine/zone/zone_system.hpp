@@ -116,6 +116,9 @@ private:
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
     [[nodiscard]] double smallest_slip() const;
+    [[nodiscard]] ZoneUnknowns way_to_trial() const {
+        return {trial_.displacement - memory_.committed.displacement, trial_.traction - memory_.committed.traction};
+    }
     void open_new_faces(const EnrichedMesh& before);
     [[nodiscard]] coupling::EnergyReport spent_at_faces(bool releases) const;
     void take_over_trial(const coupling::Commit& what);

@@ -63,12 +63,13 @@ TEST_P(ElasticShares, AreThoseOfTheirPoints) {
     RingSums rings(mesh, tip, bulk.elements().materials().elastic(0), {{0.8, 1.6}, {1.2, 2.4}}, all_elements(mesh));
     const Eigen::VectorXd way = random_vector(mesh.unknowns, 4e-3, 1), turn = random_vector(mesh.unknowns, 3e-4, 2);
     int followed = 0;
+    fine::ElasticAnswers answers;
     for (const double load : {1.0, 0.8, 0.78, 0.76, -0.9, -0.7, -0.68, -0.66, 1.2, 1.0, 0.98}) {
         bulk.evaluate(load * way + load * load * turn);
         bulk.commit(false);
         followed += followers(bulk);
         rings.clear();
-        add_to(rings, bulk, density);
+        add_to(rings, bulk, density, answers);
         const std::vector<DomainIntegral> expected =
             by_points({mesh, tip, bulk.elements().materials().elastic(0), {{0.8, 1.6}, {1.2, 2.4}}, all_elements(mesh)},
                       bulk, density);
@@ -78,6 +79,47 @@ TEST_P(ElasticShares, AreThoseOfTheirPoints) {
         }
     }
     EXPECT_GT(followed, 100);
+}
+
+// What points answer does not depend on where the tip is, so what stands has been asked once.
+TEST_P(ElasticShares, ServeAsATipGoesStraightOn) {
+    const auto [plane, density] = GetParam();
+    Case scene = plate_case({{0.0, 2.4}, {2.3, 2.6}});
+    scene.model.plane = plane;
+    const EnrichedMesh mesh = plate_mesh(9, 9, scene);
+    Bulk bulk = make_bulk(mesh, scene);
+    const Eigen::VectorXd way = random_vector(mesh.unknowns, 1e-4, 1);
+    for (const double load : {1.0, 0.9}) {
+        bulk.evaluate(load * way);
+        bulk.commit(false);
+    }
+    Tip tip = mesh.tips.front();
+    fine::ElasticAnswers answers;
+    const auto rings = [&] {
+        return RingSums(mesh, tip, bulk.elements().materials().elastic(0), {{0.8, 3.6}}, all_elements(mesh));
+    };
+    const auto expect_what_begins = [&] {
+        RingSums known = rings(), begins = rings();
+        fine::ElasticAnswers none;
+        add_to(known, bulk, density, answers);
+        add_to(begins, bulk, density, none);
+        EXPECT_GT(none.made(), 100U);
+        EXPECT_EQ(known.values()[0].J, begins.values()[0].J);
+        EXPECT_EQ(known.values()[0].interaction_I, begins.values()[0].interaction_I);
+        EXPECT_EQ(known.values()[0].interaction_II, begins.values()[0].interaction_II);
+    };
+    expect_what_begins();
+    const std::size_t made = answers.made();
+    tip.position += 0.01 * tip.direction;
+    expect_what_begins();
+    EXPECT_LT(answers.made(), made + made / 10);  // a few elements more are within the ring
+    bulk.evaluate(0.8 * way);
+    bulk.commit(false);
+    expect_what_begins();
+    const std::size_t before_turn = answers.made();
+    tip.direction = Vec2(0.8, 0.6);
+    expect_what_begins();
+    EXPECT_GT(answers.made(), before_turn + made / 2);
 }
 
 std::string name_of(const testing::TestParamInfo<ElasticShares::ParamType>& test) {
