@@ -53,12 +53,12 @@ Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& disp
       proven_(elements_.count(), true), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
       increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
       tangents_(at(elements_.count())), changed_(elements_.count(), true),
-      yielded_(elements_.count()), counts_{.elements_built = elements_.built()} {}
+      softened_(elements_.count()), counts_{.elements_built = elements_.built()} {}
 
 // As a bulk that begins: every tangent is elastic.
 void Bulk::move_tips(std::vector<Tip> tips) {
     elements_.move_tips(std::move(tips));
-    changed_ = std::exchange(yielded_, ElementSet(elements_.count()));
+    changed_ = std::exchange(softened_, ElementSet(elements_.count()));
 }
 
 void Bulk::remember(coupling::ZoneSnapshot& out) const {
@@ -134,7 +134,7 @@ Eigen::Matrix2d Bulk::gradient(int e, std::size_t q, const Eigen::VectorXd& elem
     return elements_.op(e).displacement_gradient(element_u, q) + history_.frozen_gradient(e, q);
 }
 
-void Bulk::evaluate(const Eigen::VectorXd& u, bool elastic) {
+void Bulk::evaluate(const Eigen::VectorXd& u, bool elastic, double slight) {
     trial_u_ = u;
     increment_ = u - committed_u_;
     for (const int e : resting_.awake()) {
@@ -154,7 +154,7 @@ void Bulk::evaluate(const Eigen::VectorXd& u, bool elastic) {
         with_kernel(elements_.op(e), [&](const auto& kernel) {
             find_trial_force(e, kernel);
             add_trial_force(e);
-            find_tangent(e, kernel);
+            find_tangent(e, kernel, slight);
         });
     }
 }
@@ -196,18 +196,18 @@ void Bulk::add_trial_force(int e) {
 }
 
 // The elastic matrix plus what yielding takes away at the points that yield, but for idle ones.
-template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
-    const bool yields = history_.yields(e), yielded = yielded_.contains(e);
-    if (yields || yielded)
+template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel, double slight) {
+    const bool softens = history_.yields(e) && !(history_.largest_plastic_increment(e) < slight);
+    if (softens || softened_.contains(e))
         changed_.insert(e);
     else
         changed_.erase(e);
-    if (!yields) {
-        yielded_.erase(e);
+    if (!softens) {
+        softened_.erase(e);
         ++counts_.elastic_tangents_reused;
         return;
     }
-    yielded_.insert(e);
+    softened_.insert(e);
     ++counts_.tangents_computed;
     typename Kernel::Matrix K = elements_.stiffness()[at(e)];
     for (std::size_t q = 0; q < at(history_.points(e)); ++q)
@@ -249,7 +249,7 @@ std::vector<Bulk::PointState> Bulk::committed_states(int e, EnergyDensity densit
     return states;
 }
 
-ElementSet Bulk::may_rest() const { return resting_.may_rest(elements_, history_, yielded_); }
+ElementSet Bulk::may_rest() const { return resting_.may_rest(elements_, history_, softened_); }
 
 void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement) {
     resting_.rest(elements, displacement);
@@ -257,7 +257,7 @@ void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement)
         stand_.find_force(e, displacement, elements_, trial_force_);
         proven_.erase(e);
         changed_.erase(e);
-        yielded_.erase(e);
+        softened_.erase(e);
         history_.set_elastic(e);
     }
 }

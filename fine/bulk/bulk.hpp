@@ -51,8 +51,9 @@ public:
     void tolerate(double residual) { idle_ = IdleSides(elements_, residual); }
 
     /// Stresses, internal forces and tangents at committed state + (u - committed u). Repeatable: same u, same bits.
-    /// `elastic`: as if no point flowed.
-    void evaluate(const Eigen::VectorXd& u, bool elastic = false);
+    /// `elastic`: as if no point flowed. Elements that flow by less than `slight`, a plastic strain, keep their elastic
+    /// tangent.
+    void evaluate(const Eigen::VectorXd& u, bool elastic = false, double slight = 0.0);
 
     /// Trial becomes committed. `reversal`: with this increment a half cycle ends; plastic extents start anew after it.
     /// `counts`: as one of the load's, which tells what will flow the next time.
@@ -70,10 +71,10 @@ public:
     [[nodiscard]] const Eigen::VectorXd& force_scale() const { return force_scale_; }
     /// Of an element, 2f x 2f where it has f functions.
     [[nodiscard]] const Eigen::MatrixXd& tangent(int e) const {
-        return yielded_.contains(e) ? tangents_[at(e)] : elements_.stiffness()[at(e)];
+        return softened_.contains(e) ? tangents_[at(e)] : elements_.stiffness()[at(e)];
     }
     /// Elements whose tangent is not their elastic matrix.
-    [[nodiscard]] const ElementSet& yielded() const { return yielded_; }
+    [[nodiscard]] const ElementSet& softened() const { return softened_; }
     /// Elements whose tangent differs from that of the evaluation before.
     [[nodiscard]] const ElementSet& changed() const { return changed_; }
 
@@ -119,7 +120,7 @@ private:
     void begin_elastic(int e);
     [[nodiscard]] Eigen::Matrix2d gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const;
     template <class Kernel> void find_trial_force(int e, const Kernel& kernel);
-    template <class Kernel> void find_tangent(int e, const Kernel& kernel);
+    template <class Kernel> void find_tangent(int e, const Kernel& kernel, double slight);
     void add_trial_force(int e);
     void update_points();
     /// Committed, or that at which an element came to rest.
@@ -140,9 +141,9 @@ private:
     Eigen::VectorXd committed_u_, trial_u_;
     Eigen::VectorXd increment_;  // trial less committed displacement
     Eigen::VectorXd force_, force_scale_;
-    std::vector<Eigen::MatrixXd> tangents_;  // of those that have yielded; the others' are elastic
+    std::vector<Eigen::MatrixXd> tangents_;  // of those that have softened; the others' are elastic
     ElementSet changed_;
-    ElementSet yielded_;  // in the last evaluation
+    ElementSet softened_;  // in the last evaluation
     coupling::WorkCounts counts_;
 };
 

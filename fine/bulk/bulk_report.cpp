@@ -68,14 +68,13 @@ void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density, ElasticAns
 
 std::vector<std::int32_t> yielding_points(const Bulk& bulk) {
     std::vector<std::int32_t> count(at(bulk.elements().count()), 0);
-    for (const int e : bulk.yielded().members()) count[at(e)] = bulk.history().yielding_points(e);
+    for (const int e : bulk.resting().awake()) count[at(e)] = bulk.history().yielding_points(e);
     return count;
 }
 
 double largest_plastic_increment(const Bulk& bulk) {
     double largest = 0.0;
-    for (const int e : bulk.yielded().members())
-        largest = std::max(largest, bulk.history().largest_plastic_increment(e));
+    for (const int e : bulk.resting().awake()) largest = std::max(largest, bulk.history().largest_plastic_increment(e));
     return largest;
 }
 

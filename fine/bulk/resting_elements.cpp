@@ -32,7 +32,7 @@ void RestingElements::note_half_cycle(const PointHistory& history) {
 }
 
 ElementSet RestingElements::may_rest(const BulkElements& bulk, const PointHistory& history,
-                                     const ElementSet& yielded) const {
+                                     const ElementSet& softened) const {
     constexpr int same_direction = 2;
     const EnrichedMesh& mesh = bulk.mesh();
     std::vector<char> flows(mesh.nodes.size(), 0);
@@ -42,7 +42,7 @@ ElementSet RestingElements::may_rest(const BulkElements& bulk, const PointHistor
     ElementSet may(elements_.size());
     const auto still = [&](int node) { return flows[at(node)] == 0; };
     for (int e = 0; e < may.size(); ++e)
-        if (!yielded.contains(e) && (!history.law(e).can_yield() || std::ranges::all_of(mesh.elements[at(e)], still)))
+        if (!softened.contains(e) && (!history.law(e).can_yield() || std::ranges::all_of(mesh.elements[at(e)], still)))
             may.insert(e);
     return may;
 }

@@ -32,10 +32,10 @@ public:
     [[nodiscard]] const std::vector<int>& recent_flow() const { return recent_flow_; }
     void set_recent_flow(int e, int flow) { recent_flow_[at(e)] = flow; }
     /// Elements that have stayed elastic in the last half cycle of the direction that comes, together with those
-    /// around them: tips, and flow with them, move a little. And those that cannot do else. None of `yielded`, whose
-    /// tangents are not elastic.
+    /// around them: tips, and flow with them, move a little. And those that cannot do else. None of `softened`,
+    /// whose tangents are not elastic.
     [[nodiscard]] ElementSet may_rest(const BulkElements& bulk, const PointHistory& history,
-                                      const ElementSet& yielded) const;
+                                      const ElementSet& softened) const;
 
 private:
     ElementSet elements_;

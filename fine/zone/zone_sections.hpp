@@ -24,6 +24,14 @@ struct ZoneSections {
                 .tip_points = dense ? 10 : 4};
     }
 
+    /// Plastic strain in an increment below which elements keep their elastic tangent. A wake flows a little over and
+    /// over, and all fronts above it would be factored for that. What their own tangent would take off a residual is
+    /// left by the next correction alone; where corrections do not get there soon, none keeps it.
+    [[nodiscard]] double slight_flow(int corrections) const {
+        constexpr double of_tolerance = 0.05;
+        return corrections < 4 ? of_tolerance * tolerance : 0.0;
+    }
+
     Materials materials;
     std::vector<CrackSection> cracks;
     FineSection fine;

@@ -107,7 +107,7 @@ void ZoneSystem::linearise() {
     if (steps_ == 1) memory_.opening.begin(trial_.displacement - memory_.committed.displacement);
     {
         const Stopwatch watch(constitutive_s_);
-        bulk_->evaluate(trial_.displacement, loading_.elastic);
+        bulk_->evaluate(trial_.displacement, loading_.elastic, input_.slight_flow(steps_));
     }
     const Stopwatch watch(contact_s_);
     jumps_ = contact_->jumps_that_matter(trial_.displacement, trial_.traction, contact_work_);

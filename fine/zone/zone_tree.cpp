@@ -94,7 +94,7 @@ void ZoneTree::factor() {
     work_.fronts_kept += tree_->fronts() - refactored;
     for (int e = 0; e < elements(); ++e) {
         if (!changed_.contains(e)) continue;
-        if (system_.bulk().yielded().contains(e))
+        if (system_.bulk().softened().contains(e))
             flows_.insert(e);
         else
             flows_.erase(e);

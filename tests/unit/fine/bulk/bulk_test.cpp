@@ -95,6 +95,29 @@ TEST(Bulk, TangentIsTheDerivativeOfTheForce) {
     }
 }
 
+// Its forces are those of the flow, and so is what is told of it.
+TEST(Bulk, WhatFlowsSlightlyKeepsItsElasticTangent) {
+    Bulk bulk = strained_bulk(plate);
+    const Eigen::VectorXd u = bulk.committed_displacement() + random_vector(plate.unknowns, 1e-3, 3);
+    bulk.evaluate(u);
+    const Eigen::VectorXd force = bulk.internal_force();
+    const int yields = yielding(bulk), softened = bulk.softened().count();
+    const double most = largest_plastic_increment(bulk), slight = 0.3 * most;
+    bulk.evaluate(u, false, slight);
+    EXPECT_EQ(bulk.internal_force(), force);
+    EXPECT_EQ(yielding(bulk), yields);
+    EXPECT_EQ(largest_plastic_increment(bulk), most);
+    EXPECT_GT(bulk.softened().count(), 0);
+    EXPECT_LT(bulk.softened().count(), softened);
+    for (int e = 0; e < bulk.elements().count(); ++e) {
+        EXPECT_EQ(bulk.softened().contains(e), bulk.history().largest_plastic_increment(e) >= slight) << e;
+        if (bulk.softened().contains(e)) continue;
+        EXPECT_EQ(bulk.tangent(e), bulk.elements().stiffness()[at(e)]) << e;
+    }
+    bulk.evaluate(u);
+    EXPECT_EQ(bulk.softened().count(), softened);
+}
+
 // As if no point flowed: forces are linear in the way, and none of that is left afterwards.
 TEST(Bulk, IsElasticWhereItIsToldTo) {
     Bulk bulk = strained_bulk(plate);
