@@ -141,12 +141,16 @@ void RingSums::add_mismatch(const IntegrationPoint& point, const Mandel& mismatc
 }
 
 // With the tractions +-T on the faces, -(T . u_,1) q of both adds up to -T . d(jump)/dx_1 q (J), and likewise with the
-// auxiliary jump (interaction). That of the point force is constant: it adds nothing.
+// auxiliary jump (interaction). That of the point force is constant: it adds nothing. Auxiliary jumps begin where the
+// faces end, which may be half an element off the tip: by their r^(-1/2) tractions near there count at a distance from
+// it and not from the tip. The bulk's part, of rings about both, tells them apart by next to nothing.
 void RingSums::add_faces(const FaceStation& station, const FaceLoad& load) {
     const double forward = station.tangent.dot(tip_.direction);
+    Tip end = tip_;
+    end.position -= tip_.beyond * tip_.direction;
     const auto auxiliary_slopes = [&](int mode) {
-        const Eigen::Matrix2d jump = williams_field(mode, tip_, station.x, 1, elastic_).gradient -
-                                     williams_field(mode, tip_, station.x, -1, elastic_).gradient;
+        const Eigen::Matrix2d jump = williams_field(mode, end, station.x, 1, elastic_).gradient -
+                                     williams_field(mode, end, station.x, -1, elastic_).gradient;
         const Vec2 slope = jump * tip_.direction;
         return std::pair(station.normal.dot(slope), station.tangent.dot(slope));
     };

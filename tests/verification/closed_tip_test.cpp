@@ -55,6 +55,17 @@ TEST(ClosedTip, OfAnElasticBodyHasNoKAndNoJ) {
     }
 }
 
+// Without functions faces end on an edge, here 0.07 mm off the tips, and what presses on them counted at its distance
+// from the tips: 7 % of K were left.
+TEST(ClosedTip, WhoseFacesEndBesideItHasNextToNoK) {
+    Case input = pressed_plate(false);
+    input.fine.enrichment = Enrichment::None;
+    input.cracks[0].points = {{0.5 * width - half_crack - 0.07, 0.5 * width},
+                              {0.5 * width + half_crack + 0.07, 0.5 * width}};
+    const double K = std::abs(closing) * std::sqrt(std::numbers::pi * half_crack);
+    for (const coarse::TipResult& tip : run_direct(input).at_minimum().tips) EXPECT_LT(std::abs(tip.K_I), 0.01 * K);
+}
+
 // Slender arms, pulled apart at their ends: faces that touch part one after the other, more of them than there are
 // iterations, and at any load. Every increment was halved in vain.
 TEST(ClosedTip, OpensBetweenSlenderArmsInOneIncrement) {
