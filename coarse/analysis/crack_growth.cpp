@@ -160,9 +160,10 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     }
 }
 
+// K before a sharp turn is that of another direction: in shear it is next to nothing, and what the mesh makes of that
+// must not tell one tip from another.
 std::set<std::size_t> CrackGrowth::start_by_turns(const CrackedBody& body, const std::vector<TipResult>& guides,
                                                   const std::vector<CycleResult>& last) {
-    constexpr double negligible = 1e-12;  // of a rate
     std::set<std::size_t> started;
     untold_turn_.reset();
     if (is_prescribed(growth_) || growth_.direction == GrowthDirection::Straight || last.empty()) return started;
@@ -177,7 +178,7 @@ std::set<std::size_t> CrackGrowth::start_by_turns(const CrackedBody& body, const
         const double rate =
             rates_.end_with_the_cycle() ? std::nan("") : rate_behind_turn(growth_, crack, turning_, t, angle);
         if (std::isnan(rate)) untold_turn_ = {t, angle};
-        if (!(rates[t] < negligible * rate)) continue;  // nor is it known
+        if (!(rates[t] < rate)) continue;  // nor is it known
         started.insert(t);
         rates_.start(t, rate);
     }

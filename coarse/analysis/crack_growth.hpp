@@ -76,8 +76,8 @@ private:
                                        const std::vector<double>& elements) const;
     /// Of a cycle that ends at its maximum.
     void note_cycle(const std::vector<ModesOfTip>& maximum);
-    /// The law takes K_I, and K_II turns a tip: one that K_I does not drive may be driven once it has turned. Starts
-    /// those, and returns their numbers.
+    /// The law takes K_I, and K_II turns a tip: one that K_I drives less, or not at all, is driven by what it has once
+    /// it has turned. Starts those of which that is known, and returns their numbers.
     std::set<std::size_t> start_by_turns(const CrackedBody& body, const std::vector<TipResult>& guides,
                                          const std::vector<CycleResult>& last);
     /// That the rates of tips that turn sharply leap, but for those that a turn has `started`.

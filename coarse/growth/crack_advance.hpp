@@ -60,8 +60,8 @@ void turn_where_faces_end(std::vector<CrackSection>& longer, const EnrichedMesh&
 /// The K of what loads a tip in the solution that has been reached: directing().
 [[nodiscard]] TipResult loaded_by(TipResult reached);
 
-/// The cracks with each tip advanced by its length, mm, along its growth direction. `tips`, `directing`, `advance_by`
-/// and `elements`, the edges of the tips' elements, mm: one per tip.
+/// The cracks with each tip advanced by its length, mm, along its growth direction. Who would turn by next to no
+/// advance stays. `tips`, `directing`, `advance_by` and `elements`, the edges of the tips' elements, mm: one per tip.
 [[nodiscard]] std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
                                                       const std::vector<Tip>& tips,
                                                       const std::vector<TipResult>& directing,

@@ -25,11 +25,12 @@ NodeSet nodes_with_functions_of(const EnrichedMesh& mesh, int tip) {
     return nodes;
 }
 
-/// Unknowns of tip functions are the zone's own, however small the disk (full compression: none).
+/// Unknowns of tip functions are the zone's own, however small the disk (full compression: none). A K that no ring tells
+/// asks for none.
 void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips[at(t)];
-    if (radius <= 0.0 && !may_touch(scene.input.cracks[at(tip.crack)]) && !scene.materials.may_yield()) return;
+    if (!(radius > 0.0) && !may_touch(scene.input.cracks[at(tip.crack)]) && !scene.materials.may_yield()) return;
     const NodeSet nodes = nodes_with_functions_of(mesh, t);
     const auto carries_function = [&](int node) { return nodes.contains(node); };
     for (int e = 0; e < zone.size(); ++e) {

@@ -230,6 +230,20 @@ TEST(CrackAdvance, WhereFacesTouchTipsGoWhereTheSolutionReachedSays) {
     EXPECT_EQ(directing(nominal, reached, largest)[1].K_II, 2.0);
 }
 
+// A slow tip beside a fast one that K_II would turn: 1e-11 mm behind its bend nobody could tell its K.
+TEST(CrackAdvance, WhoTurnsByNextToNoAdvanceStays) {
+    std::vector<CrackSection> cracks(1);
+    cracks[0].points = {{0.0, 0.0}, {4.0, 0.0}};
+    const std::vector<Tip> tips{{.crack = 0, .position = {4.0, 0.0}, .direction = {1.0, 0.0}, .s = 4.0, .upper = 1}};
+    const auto grown = [&](double K_II, double by) {
+        return longer_cracks(cracks, GrowthDirection::HoopStress, tips, {{.K_I = 1.0, .K_II = K_II}}, {by}, {0.5})[0];
+    };
+    EXPECT_EQ(grown(10.0, 1e-11).points.size(), 2U);
+    EXPECT_EQ(grown(10.0, 1e-11).points.back(), Vec2(4.0, 0.0));
+    EXPECT_EQ(grown(10.0, 1e-4).points.size(), 3U);
+    EXPECT_GT(grown(0.0, 1e-11).points.back().x(), 4.0) << "straight steps add up";
+}
+
 TEST(CrackAdvance, AWakeThatTouchesTurnsNoTip) {
     const std::vector<TipResult> nominal{{.K_I = 1.0, .K_II = 0.5}};
     const std::vector<TipResult> reached{

@@ -53,6 +53,11 @@ TEST(ZoneSelection, DiskHoldsElementsByTheirCentresAndAllTipFunctions) {
     }
 }
 
+// It had elements, which nobody was there to compute.
+TEST(ZoneSelection, AnElasticBodyHasNoneWhereNoRingTellsK) {
+    EXPECT_TRUE(zone_of(cracked_plate(false, false), std::nan("")).empty());
+}
+
 TEST(ZoneSelection, FacesThatMayTouchAndTheirTipFunctionsAreFine) {
     const Scene scene = cracked_plate(false, true);
     std::set<int> expected;
