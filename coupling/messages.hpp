@@ -136,6 +136,7 @@ struct FaceSample {
     std::int32_t crack = 0;
     double s = 0, x = 0, y = 0, opening = 0, slip = 0, pressure = 0, shear = 0;
     std::int32_t status = 0;  // 0 open, 1 stick or frictionless contact, 2 slip
+    bool in_wake = false;     // of metal that has flowed
 };
 
 /// The zone's share in the integrals over a ring: bulk and faces under pressure.

@@ -56,7 +56,6 @@ EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)|on
              r"growth.increment = .* (at a time|of its forward plastic zone)": r"yield_stress(.|\n)*\[growth\]",
              r"nothing yields there": r"contact(.|\n)*\[growth\]",
              r"turns sharply|runs along an element edge": r"\[growth\]",
-             r"as if its faces passed through each other": r"yield_stress(.|\n)*\[growth\]|\[growth\](.|\n)*yield_stress",
              r"growth ends here, and not the life": r"\[growth\]",
              r"times as large as fine.refine": r"\nrefine = (.|\n)*\[growth\]",
              r"work balance is open": r"\nsteps = ",  # so few, given or chosen, that trapezoids are off

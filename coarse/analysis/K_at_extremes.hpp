@@ -5,8 +5,12 @@
 
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/analysis/cracked_body.hpp"
+#include "coarse/cycle/increment.hpp"
 
 namespace stria::coarse {
+
+/// An increment has reached the maximum of a cycle.
+void note_maximum(ReachedExtremes& extremes, const LoadFactors& loads, const Increment& reached);
 
 /// Nominal K of the tips, one each: of all loads together and of the initial stress. Of one load alone: at a factor of
 /// 1 or -1, as its sign is.

@@ -35,6 +35,7 @@ struct DueGrowth {
 struct ReachedExtremes {
     LoadFactors maximum, minimum;
     std::vector<TipResult> tips;  // at the maximum, one each; empty: there was none
+    FaceTractions faces = {};     // likewise, where faces touch and rings do not tell K of every tip; else none
 };
 
 /// Of CrackGrowth.

@@ -54,9 +54,7 @@ void CrackGrowth::take(const Increment& reached, const Scene& present) {
         note_cycle(modes);
     }
     if (step.at_minimum) turning_.minimum = std::move(modes);
-    if (!step.at_maximum) return;
-    extremes_.maximum = factors;
-    extremes_.tips = reached.tips;
+    if (step.at_maximum) note_maximum(extremes_, factors, reached);
 }
 
 // One cycle stands for all where they are alike.
@@ -85,7 +83,6 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
         grown = along_first_of(body, ways(present, guides, last));
         if (grown.longer) note_turns(body, *grown.longer, last, started);
         if (grown.longer) note_functions(present.enriched, *grown.longer);
-        for (const std::string& text : turn_blindly(growth_.direction, guides, extremes_.tips)) note_(text);
     }
     ended_ = !grown.longer;
     if (grown.longer) {

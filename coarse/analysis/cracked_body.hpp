@@ -31,6 +31,10 @@ public:
 
     /// Elastic, traction-free stress intensities for the load factor 1, one per tip.
     [[nodiscard]] const std::vector<TipResult>& nominal() const { return nominal_.tips(); }
+    /// What tractions on the faces add to that under loads (NominalBody).
+    [[nodiscard]] std::vector<TipResult> K_of_faces(const LoadFactors& loads, const FaceTractions& tractions) const {
+        return nominal_.K_of_faces(*scene_, loads, tractions, factors_);
+    }
     /// That solution's displacement of the whole mesh, mm; empty where the guard knows this far body already.
     [[nodiscard]] const Eigen::VectorXd& nominal_displacement() const { return nominal_.displacement(); }
     /// The K of eq. (3), MPa sqrt(mm), one per tip: the largest of the load history.

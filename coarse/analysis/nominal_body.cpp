@@ -43,6 +43,27 @@ NominalSolution NominalBody::solve_whole(const Scene& scene, bool far_known, con
     return far_known ? solve_nominal_near(std::move(body), for_K) : solve_nominal(std::move(body));
 }
 
+// Supports hold it without moving it: what they impose is a load of the other part.
+std::vector<TipResult> NominalBody::K_of_faces(const Scene& scene, const LoadFactors& loads, FaceTractions tractions,
+                                               StructureFactors shared) const {
+    const std::unique_ptr<const Scene> own = nominal_scene(scene);
+    const Scene& body = own ? *own : scene;
+    const ElementSet no_zone(scene.mesh.elements.size());
+    shared.core = nullptr;
+    shared.behind = behind_;
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(body.enriched.unknowns);
+    timed_condense(body, no_zone, still_, shared, effort_)->expand_near({}, loads, 1.0, u);
+    leave_out_wedges(tractions, body.enriched, u);
+    Scene pressed = body;
+    pressed.unit_force = forces_of(tractions, body);
+    pressed.case_forces.clear();
+    for (PrescribedUnknown& support : pressed.prescribed) support = {.unknown = support.unknown, .value = 0.0};
+    const std::unique_ptr<Structure> bears = timed_condense(pressed, no_zone, still_, shared, effort_);
+    u.setZero();
+    bears->expand_near({}, 1.0, 0.0, u);
+    return nominal_K(StructureRings(bears->elements()), u, &tractions);
+}
+
 void NominalBody::find_largest_K(const Scene& scene) {
     const LoadSection& load = scene.input.load;
     largest_K_ = stria::coarse::largest_K(load, response(scene), grown(), CaseHistories(scene.input));

@@ -38,6 +38,11 @@ public:
         return unit_response(scene, tips_, unit_displacement_);
     }
     [[nodiscard]] const UnitDisplacement& unit_displacement() const { return unit_displacement_; }
+
+    /// What tractions on the faces of the present cracks add to the K of its tips, one each; without wedges
+    /// (leave_out_wedges()). `loads`: under which they were told.
+    [[nodiscard]] std::vector<TipResult> K_of_faces(const Scene& scene, const LoadFactors& loads,
+                                                    FaceTractions tractions, StructureFactors shared) const;
     /// The growth of the first tip so far, mm.
     [[nodiscard]] double grown() const { return first_length_ > 0.0 ? tips_.front().a - first_length_ : 0.0; }
 

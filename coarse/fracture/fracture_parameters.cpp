@@ -8,6 +8,7 @@
 
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/model/reported_length.hpp"
+#include "coarse/model/rings.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
@@ -159,12 +160,15 @@ std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Ei
     return results;
 }
 
-std::vector<TipResult> nominal_K(const StructureRings& rings, const Eigen::VectorXd& u) {
+std::vector<TipResult> nominal_K(const StructureRings& rings, const Eigen::VectorXd& u, const FaceTractions* on_faces) {
     const Scene& scene = rings.elements().scene();
     std::vector<TipResult> results;
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
         const Tip& tip = scene.enriched.tips[at(t)];
-        const RingValues values = values_of(rings.about(t).of_K(u), scene.elastic(tip).plane_modulus(), 0.0);
+        DomainIntegral sum = rings.about(t).of_K(u);
+        const std::vector<Annulus>& annuli = rings.about(t).rings();
+        if (on_faces != nullptr) sum += interactions_of(*on_faces, scene, t, annuli[first_for_K(annuli)]);
+        const RingValues values = values_of(sum, scene.elastic(tip).plane_modulus(), 0.0);
         results.push_back(at_place_of(scene, tip));
         results.back().J = results.back().J_spread = results.back().K_spread = results.back().CMOD = std::nan("");
         results.back().K_I = values.K_I;

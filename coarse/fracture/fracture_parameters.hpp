@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "coarse/fracture/face_tractions.hpp"
 #include "coarse/fracture/structure_rings.hpp"
 #include "coarse/load/load_factors.hpp"
 #include "coarse/structure/structure.hpp"
@@ -81,7 +82,9 @@ std::vector<TipResult> fracture_parameters(const Structure& structure, const Eig
                                            const coupling::StepReport& report);
 
 /// K and T alone, of a solution in which no element is in a zone and without an initial stress. J and openings are NaN.
-std::vector<TipResult> nominal_K(const StructureRings& rings, const Eigen::VectorXd& u);
+/// `on_faces`: that load it; null: none do.
+std::vector<TipResult> nominal_K(const StructureRings& rings, const Eigen::VectorXd& u,
+                                 const FaceTractions* on_faces = nullptr);
 
 /// Openings of crack faces that the structure holds, joined with the zone's, ordered by crack and arc length.
 std::vector<coupling::FaceSample> face_samples(const Structure& structure, const Eigen::VectorXd& u,

@@ -8,7 +8,6 @@
 #include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/turned_tip.hpp"
-#include "coarse/growth/crack_advance.hpp"
 #include "coarse/model/crack_room.hpp"
 
 namespace stria::coarse {
@@ -18,24 +17,6 @@ std::string turns_sharply(std::size_t tip, double grows, double element) {
         "warning: tip {} turns sharply and grows by {:.3g} mm, less than {:g} elements of {:.3g} mm: its K "
         "is not resolved until it is as far behind the bend",
         tip, grows, elements_behind_bend, element);
-}
-
-std::vector<std::string> turn_blindly(GrowthDirection direction, const std::vector<TipResult>& directs,
-                                      const std::vector<TipResult>& reached) {
-    std::vector<std::string> texts;
-    for (std::size_t t = 0; t < reached.size() && direction == GrowthDirection::HoopStress; ++t) {
-        if (!reached[t].rings_flow || reached[t].contact_length == 0.0) continue;
-        const TipResult tip = loaded_by(reached[t]);
-        const double angle = hoop_stress_angle(directs[t].K_I, directs[t].K_II),
-                     of_rings = hoop_stress_angle(tip.K_I, tip.K_II);
-        if (std::abs(angle - of_rings) <= sharp_turn) continue;
-        constexpr double degrees = 180.0 * std::numbers::inv_pi;
-        texts.push_back(fmt::format(
-            "warning: tip {}: its faces touch, and flow crosses all rings about it: it turns by {:.0f} degrees, as if "
-            "its faces passed through each other; by K of the rings, which is no elastic one, it would by {:.0f}",
-            t, angle * degrees, of_rings * degrees));
-    }
-    return texts;
 }
 
 std::string turns_at_end_of_edge(double angle, bool sharp) {

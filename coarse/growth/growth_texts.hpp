@@ -4,10 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
-
-#include "coarse/fracture/fracture_parameters.hpp"
-#include "common/case/case.hpp"
 
 #include "common/error.hpp"
 
@@ -15,11 +11,6 @@ namespace stria::coarse {
 
 /// A tip that `grows` by so much behind a sharp turn, less than elements_behind_bend of this edge, mm.
 [[nodiscard]] std::string turns_sharply(std::size_t tip, double grows, double element);
-
-/// Of tips whose faces touch, and about which all rings flow: where the K that their rings tell, though it is no
-/// elastic one, turns them sharply otherwise than what `directs` them, the nominal one. One per tip each.
-[[nodiscard]] std::vector<std::string> turn_blindly(GrowthDirection direction, const std::vector<TipResult>& directs,
-                                                    const std::vector<TipResult>& reached);
 
 /// A crack wants to turn by `angle`, radians, within an element edge along which it runs.
 [[nodiscard]] std::string turns_at_end_of_edge(double angle, bool sharp);

@@ -66,11 +66,21 @@ void members(auto& archive, Is<GrowthIncrementMemory> auto& m) {
     archive("zones", zones);
 }
 
+void members(auto& archive, Is<FaceTractions> auto& m) {
+    auto& [crack, s, pressure, shear, in_wake] = m;
+    archive("crack", crack);
+    archive("s", s);
+    archive("pressure", pressure);
+    archive("shear", shear);
+    archive("in_wake", in_wake);
+}
+
 void members(auto& archive, Is<ReachedExtremes> auto& m) {
-    auto& [maximum, minimum, tips] = m;
+    auto& [maximum, minimum, tips, faces] = m;
     archive("maximum", maximum);
     archive("minimum", minimum);
     archive("tips", tips);
+    archive("faces", faces);
 }
 
 void members(auto& archive, Is<LengthAndK> auto& m) {

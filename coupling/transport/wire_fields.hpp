@@ -115,8 +115,8 @@ void fields(auto& wire, Is<PatchResponse> auto& m) {
 }
 
 void fields(auto& wire, Is<FaceSample> auto& m) {
-    auto& [crack, s, x, y, opening, slip, pressure, shear, status] = m;
-    wire(crack, s, x, y, opening, slip, pressure, shear, status);
+    auto& [crack, s, x, y, opening, slip, pressure, shear, status, in_wake] = m;
+    wire(crack, s, x, y, opening, slip, pressure, shear, status, in_wake);
 }
 
 void fields(auto& wire, Is<DomainIntegral> auto& m) {

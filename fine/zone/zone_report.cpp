@@ -40,6 +40,7 @@ coupling::FaceSample touching_sample_at(const CommittedZone& zone, const FaceSta
     sample.pressure = pressure;
     sample.shear = shear;
     sample.status = pressure > 0.0 ? (slides ? 2 : 1) : 0;
+    sample.in_wake = zone.summary.has_flowed(station.element);
     return sample;
 }
 

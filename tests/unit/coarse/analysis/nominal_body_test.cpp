@@ -43,6 +43,14 @@ protected:
         return std::abs(body.tips().at(0).K_I - K) / K;
     }
 
+    /// What two stations of the crack tell.
+    [[nodiscard]] TipResult K_of(double pressure, double shear, bool in_wake, double load) const {
+        const coupling::FaceSample mouth{.s = 0.1, .pressure = pressure, .shear = shear, .in_wake = in_wake};
+        coupling::FaceSample ahead = mouth;
+        ahead.s = 7.0;
+        return body.K_of_faces(*scene, load, tractions_of({mouth, ahead}), shared).at(0);
+    }
+
     const bool own;
     const Note silent = [](const std::string&) {};
     CoarseEffort effort;
@@ -104,6 +112,24 @@ TEST_F(NominalBodyWithFunctions, FollowsTheTipThroughItsElement) {
     }
     EXPECT_EQ(effort.work.far_factorisations, far) << "it stands on that of the structure";
     EXPECT_TRUE(body.take_rings(nothing()).empty()) << "of other unknowns";
+}
+
+// Bueckner: K of a load is that of faces that bear what the load does there in a body without a crack, turned round.
+TEST_F(NominalBodyWithFunctions, HasTheKOfTractionsOnItsFaces) {
+    const TipResult pulled = body.tips().at(0);
+    const TipResult pressed = K_of(2.0, 0.0, false, 1.0);
+    EXPECT_NEAR(pressed.K_I / (2.0 * pulled.K_I), 1.0, 2e-3);
+    EXPECT_NEAR(pressed.K_II, 2.0 * pulled.K_II, 2e-3 * pulled.K_I);
+    const TipResult braked = K_of(0.0, 1.0, true, 1.0);
+    EXPECT_LT(braked.K_II, -0.5 * pulled.K_I);
+    EXPECT_NEAR(braked.K_I, 0.0, 0.02 * pulled.K_I);
+}
+
+// The load opens a wake that presses: a wedge, which is no load. Where the load presses them together they bear it.
+TEST_F(NominalBodyWithFunctions, LeavesWedgesOut) {
+    const double K = body.tips().at(0).K_I;
+    EXPECT_EQ(K_of(2.0, 0.0, true, 1.0).K_I, 0.0);
+    EXPECT_NEAR(K_of(2.0, 0.0, true, -1.0).K_I / (2.0 * K), 1.0, 2e-3);
 }
 
 }  // namespace
