@@ -25,8 +25,8 @@ NodeSet nodes_with_functions_of(const EnrichedMesh& mesh, int tip) {
     return nodes;
 }
 
-/// Unknowns of tip functions are the zone's own, however small the disk (full compression: none). A K that no ring tells
-/// asks for none.
+/// Unknowns of tip functions are the zone's own, however small the disk (full compression: none). A K that no ring
+/// tells asks for none.
 void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips[at(t)];
