@@ -1,14 +1,15 @@
 // What was done, and what was skipped because something proved that it need not be done: the counters of summary.json.
 #pragma once
 
-#include <array>
 #include <cstdint>
+
+#include "common/members.hpp"
 
 namespace stria::coupling {
 
 /// Sums since the run was started or resumed; those "at present" are sizes. Each part of the program counts its own,
-/// the rest stays zero, so that those of several parts add up. A new counter is a line here and one in
-/// `named_work_counts`: the wire, the sums and summary.json go by that list.
+/// the rest stays zero, so that those of several parts add up. The wire, the sums and summary.json go by the list of
+/// members below.
 struct WorkCounts {
     // Points and elements of the zone.
     std::int64_t points_evaluated = 0;         // return mappings
@@ -56,54 +57,15 @@ struct WorkCounts {
     std::int64_t states_not_sent = 0;    // commits that asked for no state of all points
 };
 
-struct NamedWorkCount {
-    const char* name;
-    std::int64_t WorkCounts::*value;
-};
+STRIA_MEMBERS(WorkCounts, points_evaluated, points_proven_elastic, points_at_rest, elements_woken, elements_built,
+              tangents_computed, elastic_tangents_reused, history_values, interface_elements, gaps_evaluated,
+              gaps_proven_open, fronts_refactored, fronts_general, fronts_kept, factors_reused, gamma_factored,
+              gamma_factors_reused, structure_solves_full, structure_solves_near, structure_factorisations,
+              structure_factors_kept, far_factorisations, middle_factorisations, behind_factorisations,
+              structure_elements_assembled, structure_checks_full, structure_checks_by_bound, fine_ranks, ranks_idle,
+              history_moves, messages, bytes, tangents_not_sent, bytes_not_sent, states_not_sent)
 
-inline constexpr std::array named_work_counts{
-    NamedWorkCount{"points_evaluated", &WorkCounts::points_evaluated},
-    NamedWorkCount{"points_proven_elastic", &WorkCounts::points_proven_elastic},
-    NamedWorkCount{"points_at_rest", &WorkCounts::points_at_rest},
-    NamedWorkCount{"elements_woken", &WorkCounts::elements_woken},
-    NamedWorkCount{"elements_built", &WorkCounts::elements_built},
-    NamedWorkCount{"tangents_computed", &WorkCounts::tangents_computed},
-    NamedWorkCount{"elastic_tangents_reused", &WorkCounts::elastic_tangents_reused},
-    NamedWorkCount{"history_values", &WorkCounts::history_values},
-    NamedWorkCount{"interface_elements", &WorkCounts::interface_elements},
-    NamedWorkCount{"gaps_evaluated", &WorkCounts::gaps_evaluated},
-    NamedWorkCount{"gaps_proven_open", &WorkCounts::gaps_proven_open},
-    NamedWorkCount{"fronts_refactored", &WorkCounts::fronts_refactored},
-    NamedWorkCount{"fronts_general", &WorkCounts::fronts_general},
-    NamedWorkCount{"fronts_kept", &WorkCounts::fronts_kept},
-    NamedWorkCount{"factors_reused", &WorkCounts::factors_reused},
-    NamedWorkCount{"gamma_factored", &WorkCounts::gamma_factored},
-    NamedWorkCount{"gamma_factors_reused", &WorkCounts::gamma_factors_reused},
-    NamedWorkCount{"structure_solves_full", &WorkCounts::structure_solves_full},
-    NamedWorkCount{"structure_solves_near", &WorkCounts::structure_solves_near},
-    NamedWorkCount{"structure_factorisations", &WorkCounts::structure_factorisations},
-    NamedWorkCount{"structure_factors_kept", &WorkCounts::structure_factors_kept},
-    NamedWorkCount{"far_factorisations", &WorkCounts::far_factorisations},
-    NamedWorkCount{"middle_factorisations", &WorkCounts::middle_factorisations},
-    NamedWorkCount{"behind_factorisations", &WorkCounts::behind_factorisations},
-    NamedWorkCount{"structure_elements_assembled", &WorkCounts::structure_elements_assembled},
-    NamedWorkCount{"structure_checks_full", &WorkCounts::structure_checks_full},
-    NamedWorkCount{"structure_checks_by_bound", &WorkCounts::structure_checks_by_bound},
-    NamedWorkCount{"fine_ranks", &WorkCounts::fine_ranks},
-    NamedWorkCount{"ranks_idle", &WorkCounts::ranks_idle},
-    NamedWorkCount{"history_moves", &WorkCounts::history_moves},
-    NamedWorkCount{"messages", &WorkCounts::messages},
-    NamedWorkCount{"bytes", &WorkCounts::bytes},
-    NamedWorkCount{"tangents_not_sent", &WorkCounts::tangents_not_sent},
-    NamedWorkCount{"bytes_not_sent", &WorkCounts::bytes_not_sent},
-    NamedWorkCount{"states_not_sent", &WorkCounts::states_not_sent},
-};
-static_assert(sizeof(WorkCounts) == named_work_counts.size() * sizeof(std::int64_t), "a counter has no name");
-
-inline WorkCounts& operator+=(WorkCounts& sum, const WorkCounts& more) {
-    for (const NamedWorkCount& count : named_work_counts) sum.*count.value += more.*count.value;
-    return sum;
-}
+inline WorkCounts& operator+=(WorkCounts& sum, const WorkCounts& more) { return add_members(sum, more); }
 
 inline WorkCounts operator+(WorkCounts one, const WorkCounts& other) { return one += other; }
 

@@ -1,21 +1,16 @@
 #include "coarse/results/summary.hpp"
 
 namespace stria::coarse {
+
+STRIA_MEMBERS(Timing, mesh, setup, coarse_factor, growth, fine_constitutive, fine_contact, fine_factor, exchange,
+              coarse_solve, output, checkpoint, total)
+
 namespace {
 
 Json to_json(const Timing& timing) {
-    return Json::Object{{"mesh", timing.mesh},
-                        {"setup", timing.setup},
-                        {"coarse_factor", timing.coarse_factor},
-                        {"growth", timing.growth},
-                        {"fine_constitutive", timing.fine_constitutive},
-                        {"fine_contact", timing.fine_contact},
-                        {"fine_factor", timing.fine_factor},
-                        {"exchange", timing.exchange},
-                        {"coarse_solve", timing.coarse_solve},
-                        {"output", timing.output},
-                        {"checkpoint", timing.checkpoint},
-                        {"total", timing.total}};
+    Json::Object seconds;
+    for_each_member(timing, [&](std::string_view phase, double s) { seconds.push_back({std::string(phase), s}); });
+    return seconds;
 }
 
 Json list_of(const std::vector<std::int64_t>& values) { return Json::Array(values.begin(), values.end()); }
@@ -62,8 +57,9 @@ Json to_json(const Summary& summary) {
                         {"flowing_rings", summary.counts.flowing_rings},
                         {"overlapping_faces", summary.counts.overlapping_faces},
                         {"mesh_splits", summary.counts.mesh_splits}};
-    for (const coupling::NamedWorkCount& count : coupling::named_work_counts)
-        object.push_back({count.name, summary.work.*count.value});
+    for_each_member(summary.work, [&](std::string_view name, std::int64_t count) {
+        object.push_back({std::string(name), count});
+    });
     object.push_back({"N", summary.N});
     object.push_back({"life", summary.life ? Json(*summary.life) : Json()});
     object.push_back({"points_of_ranks", list_of(summary.points_of_ranks)});

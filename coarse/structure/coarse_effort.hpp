@@ -30,27 +30,11 @@ struct CoarseEffort {
     double exchange_s = 0.0;  // waiting for the zone and talking to it
 };
 
-inline RunCounts& operator+=(RunCounts& sum, const RunCounts& more) {
-    sum.increments += more.increments;
-    sum.newton_iterations += more.newton_iterations;
-    sum.zone_extensions += more.zone_extensions;
-    sum.yield_warnings += more.yield_warnings;
-    sum.release_cuts += more.release_cuts;
-    sum.flowing_rings += more.flowing_rings;
-    sum.overlapping_faces += more.overlapping_faces;
-    sum.mesh_splits += more.mesh_splits;
-    return sum;
-}
+STRIA_MEMBERS(RunCounts, increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
+              overlapping_faces, mesh_splits)
+STRIA_MEMBERS(CoarseEffort, counts, work, setup_s, run_s, growth_s, condensing_s, exchange_s)
 
-inline CoarseEffort& operator+=(CoarseEffort& sum, const CoarseEffort& more) {
-    sum.counts += more.counts;
-    sum.work += more.work;
-    sum.setup_s += more.setup_s;
-    sum.run_s += more.run_s;
-    sum.growth_s += more.growth_s;
-    sum.condensing_s += more.condensing_s;
-    sum.exchange_s += more.exchange_s;
-    return sum;
-}
+inline RunCounts& operator+=(RunCounts& sum, const RunCounts& more) { return add_members(sum, more); }
+inline CoarseEffort& operator+=(CoarseEffort& sum, const CoarseEffort& more) { return add_members(sum, more); }
 
 }  // namespace stria::coarse

@@ -1,10 +1,11 @@
-// Values as groups of an HDF5 file, and back. A type names its members once, members(archive, value), beside its
-// definition; writing and reading walk through the same list.
+// Values as groups of an HDF5 file, and back: writing and reading walk through the same list of members
+// (common/members.hpp).
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "common/index.hpp"
 #include "common/index_set.hpp"
 #include "common/io/hdf5.hpp"
+#include "common/members.hpp"
 
 namespace stria::hdf5 {
 
@@ -33,17 +35,28 @@ template <Storable T> struct Stored<T> { using Type = T; };
 template <class T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
+/// Of which a list is kept as bytes: bytes_of(list) and from_bytes(bytes, list) stand beside the type.
+template <class T>
+concept KeptAsBytes = requires(const std::vector<T>& list) {
+    bytes_of(list);
+};
+
 }  // namespace detail
 
 /// Scalars become attributes; lists of numbers, vectors, texts and index sets datasets; lists of vectors of one length
 /// datasets of two dimensions; everything else groups. Throws std::runtime_error as Group does.
 class Saver {
 public:
-    static constexpr bool saves = true;
-
     explicit Saver(Group group) : group_(std::move(group)) {}
 
-    template <class T> void operator()(const std::string& name, const T& value) {
+    /// `names`: "a, b", of as many values.
+    template <class... T> void operator()(std::string_view names, const T&... values) {
+        MemberNames list(names);
+        (put(std::string(list.next()), values), ...);
+    }
+
+private:
+    template <class T> void put(const std::string& name, const T& value) {
         using detail::Stored;
         if constexpr (detail::Plain<T>) {
             using S = typename Stored<T>::Type;
@@ -62,7 +75,6 @@ public:
         }
     }
 
-private:
     template <class T> void list(const std::string& name, const std::vector<T>& values) {
         if constexpr (detail::Plain<T>) {
             using S = typename detail::Stored<T>::Type;
@@ -76,10 +88,12 @@ private:
             stored.reserve(values.size() * length);
             for (const T& value : values) stored.insert(stored.end(), value.begin(), value.end());
             group_.write<double>(name, stored, {values.size(), length});
+        } else if constexpr (detail::KeptAsBytes<T>) {
+            list(name, bytes_of(values));
         } else {
             Saver inner(group_.create_group(name));
-            inner("count", values.size());
-            for (std::size_t k = 0; k < values.size(); ++k) inner(std::to_string(k), values[k]);
+            inner.put("count", values.size());
+            for (std::size_t k = 0; k < values.size(); ++k) inner.put(std::to_string(k), values[k]);
         }
     }
 
@@ -88,11 +102,15 @@ private:
 
 class Loader {
 public:
-    static constexpr bool saves = false;
-
     explicit Loader(Group group) : group_(std::move(group)) {}
 
-    template <class T> void operator()(const std::string& name, T& value) {
+    template <class... T> void operator()(std::string_view names, T&... values) {
+        MemberNames list(names);
+        (get(std::string(list.next()), values), ...);
+    }
+
+private:
+    template <class T> void get(const std::string& name, T& value) {
         if constexpr (detail::Plain<T>) {
             value = static_cast<T>(group_.read_attribute<typename detail::Stored<T>::Type>(name).at(0));
         } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
@@ -114,7 +132,6 @@ public:
         }
     }
 
-private:
     template <class T> void list(const std::string& name, std::vector<T>& values) {
         if constexpr (detail::Plain<T>) {
             const auto stored = group_.read<typename detail::Stored<T>::Type>(name);
@@ -128,12 +145,16 @@ private:
             values.clear();
             for (std::size_t k = 0; k < shape[0]; ++k)
                 values.emplace_back(Eigen::Map<const Eigen::VectorXd>(stored.data() + k * shape[1], length));
+        } else if constexpr (detail::KeptAsBytes<T>) {
+            std::vector<std::byte> bytes;
+            list(name, bytes);
+            from_bytes(bytes, values);
         } else {
             Loader inner(group_.group(name));
             std::size_t count = 0;
-            inner("count", count);
+            inner.get("count", count);
             values.resize(count);
-            for (std::size_t k = 0; k < count; ++k) inner(std::to_string(k), values[k]);
+            for (std::size_t k = 0; k < count; ++k) inner.get(std::to_string(k), values[k]);
         }
     }
 

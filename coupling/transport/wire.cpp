@@ -6,12 +6,13 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "common/error.hpp"
 #include "common/index.hpp"
-#include "coupling/transport/wire_fields.hpp"
+#include "coupling/transport/message_members.hpp"
 
 namespace stria::coupling {
 
@@ -24,7 +25,7 @@ concept Number = (std::is_arithmetic_v<T> || std::is_enum_v<T>)&&!std::is_same_v
 
 class Writer {
 public:
-    void operator()(const auto&... values) { (put(values), ...); }
+    void operator()(std::string_view, const auto&... values) { (put(values), ...); }
 
     void lower_half(const Eigen::MatrixXd& a) {
         put(static_cast<std::uint32_t>(a.cols()));
@@ -38,7 +39,7 @@ private:
         if constexpr (Number<M>)
             put_raw(&message, 1);
         else
-            fields(*this, message);
+            members(*this, message);
     }
 
     template <class T> void put(const std::vector<T>& list) {
@@ -66,7 +67,8 @@ private:
     }
 
     void put(const Eigen::MatrixXd& a) {
-        (*this)(static_cast<std::uint32_t>(a.rows()), static_cast<std::uint32_t>(a.cols()));
+        put(static_cast<std::uint32_t>(a.rows()));
+        put(static_cast<std::uint32_t>(a.cols()));
         put_columns(a, false);
     }
 
@@ -90,7 +92,7 @@ class Reader {
 public:
     explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
-    void operator()(auto&... values) { (get(values), ...); }
+    void operator()(std::string_view, auto&... values) { (get(values), ...); }
 
     void lower_half(Eigen::MatrixXd& a) {
         std::uint32_t order = 0;
@@ -106,7 +108,7 @@ private:
         if constexpr (Number<M>)
             get_raw(&message, 1);
         else
-            fields(*this, message);
+            members(*this, message);
     }
 
     template <class T> void get(std::vector<T>& list) {
@@ -139,7 +141,8 @@ private:
 
     void get(Eigen::MatrixXd& a) {
         std::uint32_t rows = 0, cols = 0;
-        (*this)(rows, cols);
+        get(rows);
+        get(cols);
         make_room(a, rows, cols, std::uint64_t{rows} * cols);
         get_columns(a, false);
     }
@@ -180,14 +183,14 @@ private:
 
 template <class M> std::vector<std::byte> pack(const M& message) {
     Writer writer;
-    writer(message);
+    writer("", message);
     return writer.take();
 }
 
 template <class M> M unpack(std::span<const std::byte> bytes) {
     Reader reader(bytes);
     M message;
-    reader(message);
+    reader("", message);
     if (!reader.finished()) throw ComponentLost("a message between the components is longer than its contents");
     return message;
 }

@@ -90,7 +90,7 @@ StepReport small_report() {
     report.mouth_opening = {std::numeric_limits<double>::quiet_NaN(), 0.3};
     report.energy = {.stored = 7.0, .released = 0.5, .contact = -0.125, .load_path = 0.25};
     report.points = 1'000'000'000'000;
-    for (std::int64_t value = 100; const NamedWorkCount& count : named_work_counts) report.work.*count.value = ++value;
+    for_each_member(report.work, [value = std::int64_t{100}](auto, std::int64_t& count) mutable { count = ++value; });
     report.factor_s = 0.25;
     return report;
 }
@@ -220,8 +220,9 @@ TEST(Wire, Report) {
     EXPECT_EQ(copy.energy.contact, -0.125);
     EXPECT_EQ(copy.energy.load_path, 0.25);
     EXPECT_EQ(copy.points, 1'000'000'000'000);
-    for (const NamedWorkCount& count : named_work_counts)
-        EXPECT_EQ(copy.work.*count.value, small_report().work.*count.value) << count.name;
+    for_each_member(copy.work, [value = std::int64_t{100}](std::string_view name, std::int64_t count) mutable {
+        EXPECT_EQ(count, ++value) << name;
+    });
     EXPECT_EQ(copy.factor_s, 0.25);
 }
 

@@ -32,26 +32,8 @@ struct Whole {
     std::vector<Leaf> leaves;
 };
 
-void members(auto& archive, auto& value) requires std::is_same_v<std::remove_cvref_t<decltype(value)>, Leaf> {
-    archive("number", value.number);
-    archive("values", value.values);
-}
-
-void members(auto& archive, auto& value) requires std::is_same_v<std::remove_cvref_t<decltype(value)>, Whole> {
-    auto& [flag, colour, large, number, text, marks, bytes, numbers, vector, vectors, none, leaves] = value;
-    archive("flag", flag);
-    archive("colour", colour);
-    archive("large", large);
-    archive("value", number);
-    archive("text", text);
-    archive("marks", marks);
-    archive("bytes", bytes);
-    archive("numbers", numbers);
-    archive("vector", vector);
-    archive("vectors", vectors);
-    archive("none", none);
-    archive("leaves", leaves);
-}
+STRIA_MEMBERS(Leaf, number, values)
+STRIA_MEMBERS(Whole, flag, colour, large, value, text, marks, bytes, numbers, vector, vectors, none, leaves)
 
 namespace {
 
