@@ -24,7 +24,7 @@ DOORS = [
     ("HDF5", r"(hdf5|hdf5_hl|H5\w*)\.h$", ["common/io/hdf5.cpp"]),
     ("toml++", r"(toml\+\+/|toml\.hpp$)", ["common/case/schema/case_file.cpp"]),
     ("CLI11", r"CLI/", ["app/command_line.cpp"]),
-    ("nlohmann-json", r"nlohmann/", ["app/results/run_files.cpp"]),
+    ("nlohmann-json", r"nlohmann/", ["common/io/json.hpp"]),
 ]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -4,13 +4,14 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
+
+#include "common/io/json.hpp"
 
 namespace stria {
 
 namespace {
 
-void collect(const nlohmann::json& object, const std::string& prefix, JsonObject& into) {
+void collect(const Json& object, const std::string& prefix, JsonObject& into) {
     for (const auto& [key, value] : object.items()) {
         if (value.is_object())
             collect(value, prefix + key + '.', into);
@@ -57,7 +58,7 @@ void remove_study(const std::filesystem::path& folder) {
 JsonObject read_json(const std::filesystem::path& path) {
     JsonObject object;
     std::ifstream file(path);
-    const nlohmann::json parsed = nlohmann::json::parse(file, nullptr, false);
+    const Json parsed = Json::parse(file, nullptr, false);
     if (parsed.is_object()) collect(parsed, "", object);
     return object;
 }

@@ -214,7 +214,7 @@ void CoarseRun::summarise(coarse::RunStatus status, const Course& course) const 
     summary.timing.total = seconds();
     for (const auto* some : {&warnings_.of_case, &warnings_.met, &warnings_.at_end})
         summary.warnings.insert(summary.warnings.end(), some->begin(), some->end());
-    write_json(directory_ / coarse::result_files::summary, coarse::to_json(summary));
+    write_whole_text(directory_ / coarse::result_files::summary, text_of(coarse::to_json(summary)));
 }
 
 }  // namespace stria

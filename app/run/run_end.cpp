@@ -80,6 +80,7 @@ coarse::Summary summary_of(const coarse::FatigueAnalysis& analysis, const coarse
     summary.N = recorder.N();
     if (analysis.life_is_over()) summary.life = summary.N;
     summary.last = recorder.last_rows();
+    summary.K_initial = recorder.last_K_initial();
     return summary;
 }
 

@@ -15,9 +15,9 @@ namespace {
 constexpr const char *series = "fields.hdf.series", *collection = "fields.pvd";
 
 std::string series_text(const std::vector<std::pair<std::string, double>>& files) {
-    Json::Array entries;
-    for (const auto& [name, time] : files) entries.push_back(Json::Object{{"name", name}, {"time", time}});
-    return Json(Json::Object{{"file-series-version", "1.0"}, {"files", entries}}).text();
+    Json entries = Json::array();
+    for (const auto& [name, time] : files) entries.push_back({{"name", name}, {"time", time}});
+    return text_of({{"file-series-version", "1.0"}, {"files", std::move(entries)}});
 }
 
 std::string collection_text(const std::vector<std::pair<std::string, double>>& files) {

@@ -54,7 +54,6 @@ std::vector<HistoryRow> history_rows(const Increment& increment, const std::vect
         rows[t].x = tips[t].position.x();
         rows[t].y = tips[t].position.y();
         put_tip(rows[t], increment.tips[t]);
-        rows[t].K_initial = increment.nominal[t].K_initial;
     }
     return rows;
 }

@@ -101,6 +101,8 @@ void RunRecorder::record_history(const Increment& increment, const Scene& presen
     const double displacement = loaded_ && loaded_->has_direction() ? increment.machine.displacement : missing;
     last_ = history_rows(increment, present.enriched.tips, load(increment), displacement);
     for (const HistoryRow& row : last_) history_.row(cells_of(row));
+    last_K_initial_.clear();
+    for (const TipResult& tip : increment.nominal) last_K_initial_.push_back(tip.K_initial);
     if (loads_) loads_->row(load_cells(present.input, increment));
 }
 

@@ -40,6 +40,8 @@ public:
     void record_end(const Increment& last, const Structure& structure);
 
     [[nodiscard]] const std::vector<HistoryRow>& last_rows() const { return last_; }
+    /// Of each tip, at the same increment: K of the initial stress alone, MPa sqrt(mm).
+    [[nodiscard]] const std::vector<double>& last_K_initial() const { return last_K_initial_; }
     [[nodiscard]] const coupling::StepReport& last_zone() const { return zone_; }
     /// Cycles up to now, with all that the computed ones stand for.
     [[nodiscard]] double N() const { return N_; }
@@ -67,6 +69,7 @@ private:
     std::optional<CsvWriter> load_cases_;
     FieldWriter fields_;
     std::vector<HistoryRow> last_;
+    std::vector<double> last_K_initial_;
     coupling::StepReport zone_;
     int cycle_iterations_ = 0;
     double N_ = 0.0;

@@ -35,6 +35,7 @@ struct Summary {
     std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;  // of each fine rank
     Timing timing;
     std::vector<HistoryRow> last;       // last row of each tip
+    std::vector<double> K_initial;      // there, of the initial stress alone, MPa sqrt(mm)
     std::vector<std::string> warnings;  // of the mesh
 };
 

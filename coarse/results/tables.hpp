@@ -34,7 +34,6 @@ struct HistoryRow {
     double T_stress = missing;                // MPa
     double J_spread = missing;                // over the rings, relative
     double K_spread = missing;                // likewise
-    double K_initial = missing;               // MPa sqrt(mm), of the summary alone
     double external_work = missing;           // N, per mm of thickness, total so far
     double stored_energy = missing;           // N
     double released_energy = missing;         // N, total so far

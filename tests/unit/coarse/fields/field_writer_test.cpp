@@ -37,7 +37,7 @@ TEST_F(Fields, AreVtkHdfFilesInASeries) {
     writer.write(61, two_cells(), 1.5);  // the same moment
     EXPECT_EQ(test::text_of(folder / "fields.hdf.series"),
               "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n"
-              "    {\n      \"name\": \"fields/step_00040.hdf\",\n      \"time\": 1\n    },\n"
+              "    {\n      \"name\": \"fields/step_00040.hdf\",\n      \"time\": 1.0\n    },\n"
               "    {\n      \"name\": \"fields/step_00060.hdf\",\n      \"time\": 1.5\n    },\n"
               "    {\n      \"name\": \"fields/step_00061.hdf\",\n      \"time\": 1.500001\n    }\n  ]\n}\n");
     const hdf5::Group root = hdf5::read_file(folder / "fields/step_00040.hdf").group("VTKHDF");

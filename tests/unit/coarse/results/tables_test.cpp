@@ -91,7 +91,7 @@ TEST(SummaryJson, HoldsItsKeys) {
     summary.status = RunStatus::Done;
     summary.last.resize(2);
     summary.last[0].tip = 0;
-    const std::string text = to_json(summary).text();
+    const std::string text = text_of(to_json(summary));
     for (const char* key :
          {"status", "version", "mode", "ranks", "coarse_unknowns", "interface_unknowns", "fine_unknowns", "fine_points",
           "timing", "setup", "coarse_factor", "fine_constitutive", "fine_contact", "fine_factor", "exchange", "output",

@@ -9,12 +9,10 @@ namespace stria {
 namespace {
 
 TEST(JsonText, IsOrderedEscapedAndFinite) {
-    const Json value = Json::Object{{"z", 1},
-                                    {"a", Json::Array{true, Json(), std::nan(""), 0.1}},
-                                    {"t", "say \"hi\"\n\\\x01"},
-                                    {"none", Json::Object{}}};
-    EXPECT_EQ(value.text(), "{\n  \"z\": 1,\n  \"a\": [\n    true,\n    null,\n    null,\n    0.1\n  ],\n"
-                            "  \"t\": \"say \\\"hi\\\"\\n\\\\\\u0001\",\n  \"none\": {}\n}\n");
+    const Json value{
+        {"z", 1}, {"a", {true, nullptr, std::nan(""), 0.1}}, {"t", "say \"hi\"\n\\\x01\xff"}, {"none", Json::object()}};
+    EXPECT_EQ(text_of(value), "{\n  \"z\": 1,\n  \"a\": [\n    true,\n    null,\n    null,\n    0.1\n  ],\n"
+                              "  \"t\": \"say \\\"hi\\\"\\n\\\\\\u0001\xef\xbf\xbd\",\n  \"none\": {}\n}\n");
 }
 
 }  // namespace
