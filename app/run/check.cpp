@@ -70,8 +70,7 @@ struct LargestK {
 };
 
 LargestK at_largest_load(const coarse::Scene& scene, const coarse::UnitResponse& unit) {
-    const auto [largest, smallest] =
-        coarse::range_of_load(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
+    const auto [largest, smallest] = coarse::range_of_load(scene.input, unit);
     return {largest > 0.0 ? largest : smallest, scene.initial_stress().any()};
 }
 
@@ -191,7 +190,7 @@ int check(const RunOptions& options) {
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
     const coarse::UnitResponse unit = coarse::unit_response(nominal);
-    const std::vector<double> K = coarse::largest_K(input.load, unit, 0.0, coarse::CaseHistories(input));
+    const std::vector<double> K = coarse::largest_K(input, unit);
     for (const std::string& warning : coarse::case_warnings(scene, unit)) fmt::print("# warning: {}\n", warning);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
     print_K(scene, nominal, unit);

@@ -214,9 +214,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     add(steps_warnings(scene.input));
     add(units_of_K_warnings(scene.input));
     const std::vector<double> opening = largest_K_I(scene.input, nominal),
-                              turned =
-                                  behind_turns(scene.input, opening,
-                                               largest_K(scene.input.load, nominal, 0.0, CaseHistories(scene.input)));
+                              turned = behind_turns(scene.input, opening, largest_K(scene.input, nominal));
     add(rate_warnings(scene.input, usual_behind_turns(K, opening, turned), turned));
     add(early_break_warnings(scene.input, opening, turned));
     add(travel_warnings(scene.input));

@@ -65,8 +65,7 @@ std::vector<TipResult> NominalBody::K_of_faces(const Scene& scene, const LoadFac
 }
 
 void NominalBody::find_largest_K(const Scene& scene) {
-    const LoadSection& load = scene.input.load;
-    largest_K_ = stria::coarse::largest_K(load, response(scene), grown(), CaseHistories(scene.input));
+    largest_K_ = stria::coarse::largest_K(scene.input, response(scene), grown());
 }
 
 void NominalBody::go_on_from(const AnalysisState& state, const Scene& scene, bool is_other) {

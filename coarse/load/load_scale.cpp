@@ -73,11 +73,11 @@ struct Extremes {
         return at_largest.friction.value_or(0.0) > 0.0 && least_K_I < -negligible * largest();
     }
 };
-std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& free, double grown,
-                               const CaseHistories& cases) {
-    const double scale = target_of_unit(load, free.K_I, grown);
-    const auto [largest, smallest] = range_of_load(load, free, grown, cases);
-    const UnitResponse nominal = while_held(load, free, cases);
+std::vector<Extremes> extremes(const Case& input, const UnitResponse& free, double grown) {
+    const CaseHistories cases(input);
+    const double scale = target_of_unit(input.load, free.K_I, grown);
+    const auto [largest, smallest] = range_of_load(input, free, grown);
+    const UnitResponse nominal = while_held(input.load, free, cases);
     std::vector<Extremes> all;
     for (std::size_t t = 0; t < nominal.K_I.size(); ++t) {
         double added_I = value_at(nominal.K_initial, t), least_added_I = added_I, added_II = 0.0;
@@ -98,8 +98,7 @@ std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& free
 }
 
 bool presses_rough_faces(const Case& input, const UnitResponse& nominal) {
-    return std::ranges::any_of(extremes(input.load, nominal, 0.0, CaseHistories(input)),
-                               [](const Extremes& tip) { return tip.presses_rough_faces(); });
+    return std::ranges::any_of(extremes(input, nominal, 0.0), &Extremes::presses_rough_faces);
 }
 
 }  // namespace
@@ -111,21 +110,20 @@ double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, d
     return std::exp(load.K_gradient * grown) / K_I.front();
 }
 
-double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown,
-                      const CaseHistories& cases) {
-    if (load.control != Control::Displacement) return value * target_of_unit(load, nominal.K_I, grown);
+LoadRange range_of_load(const Case& input, const UnitResponse& nominal, double grown) {
+    const LoadSection& load = input.load;
+    if (load.control != Control::Displacement) {
+        const double unit = target_of_unit(load, nominal.K_I, grown);
+        return {unit * largest_value(load), unit * smallest_value(load)};
+    }
     if (std::abs(nominal.displacement.mean) <= 1e-9 * nominal.displacement.largest)
         throw CaseError("load.control: the loads do not move the loaded boundary along their direction, or have none");
-    return nominal.displacement.load_factor_at(value, cases.dead());
-}
-
-LoadRange range_of_load(const LoadSection& load, const UnitResponse& nominal, double grown,
-                        const CaseHistories& cases) {
-    const auto at = [&](double value) { return load_factor_at(value, load, nominal, grown, cases); };
-    if (load.control != Control::Displacement) return {at(largest_value(load)), at(smallest_value(load))};
+    const CaseHistories cases(input);
+    const Eigen::VectorXd dead = cases.dead();
     LoadRange range{0.0, 0.0};
-    const auto take = [&](double value) {
-        range = {std::max(range.largest, at(value)), std::min(range.smallest, at(value))};
+    const auto take = [&](double displacement) {
+        const double factor = nominal.displacement.load_factor_at(displacement, dead);
+        range = {std::max(range.largest, factor), std::min(range.smallest, factor)};
     };
     take(nominal.displacement.beside(cases.at_start()));
     for (const LoadBlock& block : load.blocks)
@@ -133,10 +131,9 @@ LoadRange range_of_load(const LoadSection& load, const UnitResponse& nominal, do
     return range;
 }
 
-std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown,
-                              const CaseHistories& cases) {
+std::vector<double> largest_K(const Case& input, const UnitResponse& nominal, double grown) {
     std::vector<double> K;
-    for (const Extremes& tip : extremes(load, nominal, grown, cases)) K.push_back(tip.largest());
+    for (const Extremes& tip : extremes(input, nominal, grown)) K.push_back(tip.largest());
     return K;
 }
 
@@ -161,12 +158,11 @@ struct LargestK {
 };
 
 LargestK largest_of(const Case& input, UnitResponse nominal, double grown = 0.0) {
-    const CaseHistories cases(input);
-    LargestK K{.any = largest_K(input.load, nominal, grown, cases), .opening = {}};
+    LargestK K{.any = largest_K(input, nominal, grown), .opening = {}};
     nominal.K_II.clear();
     nominal.K_II_initial.clear();
     for (std::vector<double>& of_tip : nominal.K_II_of_cases) std::ranges::fill(of_tip, 0.0);
-    K.opening = largest_K(input.load, nominal, grown, cases);
+    K.opening = largest_K(input, nominal, grown);
     for (std::size_t t = 0; t < K.any.size(); ++t)
         if (K.opening[t] <= negligible * K.any[t]) K.opening[t] = 0.0;
     return K;
@@ -187,7 +183,7 @@ std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal, 
 
 std::vector<double> least_K_I(const Case& input, const UnitResponse& nominal) {
     std::vector<double> K;
-    for (const Extremes& tip : extremes(input.load, nominal, 0.0, CaseHistories(input)))
+    for (const Extremes& tip : extremes(input, nominal, 0.0))
         K.push_back(tip.least_K_I < -negligible * tip.largest() ? tip.least_K_I : 0.0);
     return K;
 }

@@ -45,18 +45,14 @@ struct UnitResponse {
 /// nominal body, one per tip. Throws CaseError where the load does not open the first tip.
 double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, double grown);
 
-/// The load factor at a value of the history, beside dead loads. Where displacements are controlled it is that of the
-/// nominal body; a body that yields bears less. Throws CaseError where the loads do not move what is controlled.
-double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
-                      const CaseHistories& cases = {});
-
-/// Likewise the largest one of the history, not below zero, and the smallest, not above: it begins without [load].
-/// Where displacements are controlled it begins where a pressure that travels has moved the boundary, too.
+/// The largest load factor of the history, not below zero, and the smallest, not above: it begins without [load]. Where
+/// displacements are controlled they are those of the nominal body beside dead loads, and it begins where a pressure
+/// that travels has moved the boundary, too; a body that yields bears less. Throws CaseError where the loads do not
+/// move what is controlled.
 struct LoadRange {
     double largest, smallest;
 };
-LoadRange range_of_load(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
-                        const CaseHistories& cases = {});
+LoadRange range_of_load(const Case& input, const UnitResponse& nominal, double grown = 0.0);
 
 /// The K of eq. (3), MPa sqrt(mm), one per tip: sqrt(K_I^2 + 3 K_II^2) at the extreme of the history where it is
 /// larger, for a strip that yields in shear (Dugdale) is three times as long as one that yields in tension. Nominal,
@@ -65,8 +61,7 @@ LoadRange range_of_load(const LoadSection& load, const UnitResponse& nominal, do
 /// pressure that travels K_II counts where it opens the crack, for elsewhere what faces without tractions would do says
 /// nothing. Where displacements are controlled a load case that changes takes from [load], or adds to it, what holds
 /// the boundary.
-std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
-                              const CaseHistories& cases = {});
+std::vector<double> largest_K(const Case& input, const UnitResponse& nominal, double grown = 0.0);
 
 /// The history with equal increments where the case does not grade them, no load case lags and the load presses faces
 /// with friction together at an extreme (by nominal K_I, by more than a hundredth of the largest K, with each load case

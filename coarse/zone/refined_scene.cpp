@@ -21,7 +21,7 @@ std::vector<CrackSection> about_to_turn(const Scene& scene, const UnitResponse& 
     std::vector<CrackSection> cracks = input.cracks;
     if (!input.growth || input.growth->direction == GrowthDirection::Straight || !input.load_cases.empty())
         return cracks;
-    const double factor = range_of_load(input.load, nominal).largest;
+    const double factor = range_of_load(input, nominal).largest;
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
         const Tip& tip = scene.enriched.tips[t];
         const double K_I = factor * nominal.K_I[t] + nominal.K_initial[t],
@@ -45,7 +45,7 @@ Scene refined_scene(const Case& input, const std::function<void(const Scene&)>& 
     if (!input.fine.radius || input.growth) {
         if (before_solving) before_solving(scene);
         const UnitResponse nominal = unit_response(solve_nominal(scene));
-        K = largest_K(input.load, nominal, 0.0, CaseHistories(input));
+        K = largest_K(input, nominal);
         cracks = about_to_turn(scene, nominal);
     }
     Mesh refined = refine(scene.mesh, disks_about_tips(scene, cracks, K, Room::ToGrow)).mesh;

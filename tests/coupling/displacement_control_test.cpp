@@ -309,7 +309,7 @@ TEST(ElasticDisplacementControl, EquationThreeHasTheLargestKThatIsReached) {
                               beside_a_dead_load({.cycles = 1, .max = 0.02, .min = -0.02}), stressed, beside_both}) {
         const RunHistory run = run_elastic(input);
         const coarse::UnitResponse unit = unit_response(coarse::solve_nominal(coarse::refined_scene(elastic(input))));
-        const double K = coarse::largest_K(input.load, unit, 0.0, coarse::CaseHistories(input)).at(0);
+        const double K = coarse::largest_K(input, unit).at(0);
         EXPECT_NEAR(K, largest_K_reached(run), 1e-4 * K);
     }
 }

@@ -25,9 +25,8 @@ protected:
         const coarse::Scene scene =
             coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
         const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
-        const coarse::CaseHistories histories(input);
-        return coarse::estimate_work(
-            scene, nominal, coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, histories), increment);
+        const std::vector<double> K = coarse::largest_K(input, coarse::unit_response(nominal));
+        return coarse::estimate_work(scene, nominal, K, increment);
     }
     double increment = 0.1;  // of growth, mm
     Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});

@@ -14,36 +14,39 @@ namespace {
 
 const UnitResponse nominal{.K_I = {20.0, 30.0}, .displacement = {0.5, 0.6}};
 
-LoadSection history(Control control) {
-    return {.blocks = {{.cycles = 3, .max = 100.0, .min = 10.0}}, .scale = 2.0, .control = control};
+Case history(Control control) {
+    Case input;
+    input.load = {.blocks = {{.cycles = 3, .max = 100.0, .min = 10.0}}, .scale = 2.0, .control = control};
+    return input;
 }
 
 TEST(LoadScale, OfLoadsIsOne) {
-    const LoadSection load = history(Control::Load);
-    EXPECT_EQ(target_of_unit(load, nominal.K_I, 1.0), 1.0);
-    EXPECT_EQ(load_factor_at(200.0, load, nominal), 200.0);
-    EXPECT_EQ(largest_K(load, nominal), (std::vector<double>{4000.0, 6000.0}));
+    const Case input = history(Control::Load);
+    EXPECT_EQ(target_of_unit(input.load, nominal.K_I, 1.0), 1.0);
+    EXPECT_EQ(range_of_load(input, nominal).largest, 200.0);
+    EXPECT_EQ(largest_K(input, nominal), (std::vector<double>{4000.0, 6000.0}));
 }
 
 // Tension opens the crack and shears it; pressure closes it, and what friction leaves of the shear still slides.
 TEST(LoadScale, AZoneIsOfTensionAndShear) {
-    LoadSection load{.blocks = {{.max = 2.0, .min = -5.0}}};
+    Case input;
+    input.load.blocks = {{.max = 2.0, .min = -5.0}};
     UnitResponse sheared{.K_I = {40.0}, .K_II = {-10.0 / std::sqrt(3.0)}};
-    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), std::hypot(80.0, 20.0));
+    EXPECT_DOUBLE_EQ(largest_K(input, sheared).front(), std::hypot(80.0, 20.0));
     sheared.K_II_initial = {-30.0 / std::sqrt(3.0)};  // slides the same way as the load
-    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), std::hypot(80.0, 50.0));
+    EXPECT_DOUBLE_EQ(largest_K(input, sheared).front(), std::hypot(80.0, 50.0));
     sheared.K_II_initial.clear();
     sheared.K_I = {4.0};
-    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), 50.0);  // at the minimum, of faces that overlap
+    EXPECT_DOUBLE_EQ(largest_K(input, sheared).front(), 50.0);  // at the minimum, of faces that overlap
     sheared.friction = {0.0};
-    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), 50.0);
+    EXPECT_DOUBLE_EQ(largest_K(input, sheared).front(), 50.0);
     sheared.friction = {0.7};
-    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), 50.0 - 14.0 * std::sqrt(3.0));
+    EXPECT_DOUBLE_EQ(largest_K(input, sheared).front(), 50.0 - 14.0 * std::sqrt(3.0));
     sheared.friction = {1.0};  // slides less than tension opens and shears it
-    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), std::hypot(8.0, 20.0));
-    load.blocks.front().max = 0.0;
+    EXPECT_DOUBLE_EQ(largest_K(input, sheared).front(), std::hypot(8.0, 20.0));
+    input.load.blocks.front().max = 0.0;
     sheared.friction = {1.5};
-    EXPECT_EQ(largest_K(load, sheared).front(), 0.0);  // sticks
+    EXPECT_EQ(largest_K(input, sheared).front(), 0.0);  // sticks
 }
 
 // 10 MPa sqrt(mm) of K_I and of K_II per unit of a load case that goes from 3 to -4.
@@ -54,8 +57,7 @@ TEST(LoadScale, AddsWhatLoadCasesMayAddAtOnce) {
     shear.name = "shear";
     shear.blocks = {{.cycles = 1, .at_max = 3.0, .at_min = -4.0}};
     const UnitResponse unit{.K_I = {100.0}, .K_II = {0.0}, .K_I_of_cases = {{10.0}}, .K_II_of_cases = {{10.0}}};
-    EXPECT_DOUBLE_EQ(largest_K(input.load, unit, 0.0, CaseHistories(input)).front(),
-                     std::sqrt(130.0 * 130.0 + 3.0 * 40.0 * 40.0));
+    EXPECT_DOUBLE_EQ(largest_K(input, unit).front(), std::sqrt(130.0 * 130.0 + 3.0 * 40.0 * 40.0));
 }
 
 // Two of three positions press the faces together.
@@ -64,13 +66,12 @@ TEST(LoadScale, APressureThatTravelsCountsWhereItOpensTheCrack) {
     input.load.steps = 2;
     input.load.blocks = {{.max = 0.0, .min = -1.0}};
     input.boundaries.emplace_back().travelling.emplace();
-    const CaseHistories cases(input);
-    ASSERT_EQ(cases.count(), 3);
+    ASSERT_EQ(CaseHistories(input).count(), 3);
     UnitResponse unit{
         .K_I = {0.0}, .K_II = {0.0}, .K_I_of_cases = {{-9.0, 3.0, -1.0}}, .K_II_of_cases = {{50.0, -4.0, 8.0}}};
-    EXPECT_DOUBLE_EQ(largest_K(input.load, unit, 0.0, cases).front(), std::sqrt(9.0 + 3.0 * 2500.0));
+    EXPECT_DOUBLE_EQ(largest_K(input, unit).front(), std::sqrt(9.0 + 3.0 * 2500.0));
     unit.friction = {0.0};
-    EXPECT_DOUBLE_EQ(largest_K(input.load, unit, 0.0, cases).front(), std::sqrt(9.0 + 3.0 * 16.0));
+    EXPECT_DOUBLE_EQ(largest_K(input, unit).front(), std::sqrt(9.0 + 3.0 * 16.0));
 }
 
 // A crack that turns leaves its K_II behind.
@@ -156,10 +157,10 @@ TEST(LoadScale, APeakStandsForTheCyclesWhereItMakesHalfOfTheGrowth) {
 }
 
 TEST(LoadScale, OfDisplacementsIsThatOfTheNominalBody) {
-    const LoadSection load = history(Control::Displacement);
-    EXPECT_EQ(target_of_unit(load, nominal.K_I, 1.0), 1.0);  // a target is a displacement
-    EXPECT_EQ(load_factor_at(200.0, load, nominal), 400.0);
-    EXPECT_THROW(static_cast<void>(load_factor_at(200.0, load, {.displacement = {0.0, 0.6}})), CaseError);
+    const Case input = history(Control::Displacement);
+    EXPECT_EQ(target_of_unit(input.load, nominal.K_I, 1.0), 1.0);  // a target is a displacement
+    EXPECT_EQ(range_of_load(input, nominal).largest, 400.0);
+    EXPECT_THROW(static_cast<void>(range_of_load(input, {.displacement = {0.0, 0.6}})), CaseError);
 }
 
 /// 40 MPa sqrt(mm) per mm of the boundary, and 30 with 0.2 mm per unit of a load case.
@@ -176,7 +177,7 @@ struct HeldBoundary {
     }
     [[nodiscard]] double largest(double max, double min) {
         input.load.blocks = {{.max = max, .min = min}};
-        return largest_K(input.load, unit, 0.0, CaseHistories(input)).front();
+        return largest_K(input, unit).front();
     }
     [[nodiscard]] double least(double max, double min) {
         input.load.blocks = {{.max = max, .min = min}};
@@ -188,7 +189,7 @@ struct HeldBoundary {
 TEST(LoadScale, ADisplacementIsPartlyThatOfADeadLoad) {
     HeldBoundary held(test::dead_load("dead", 3.0));
     EXPECT_DOUBLE_EQ(held.largest(2.0, 1.0), 40.0 * (2.0 - 0.6) + 90.0);
-    EXPECT_DOUBLE_EQ(range_of_load(held.input.load, held.unit, 0.0, CaseHistories(held.input)).largest, 2.8);
+    EXPECT_DOUBLE_EQ(range_of_load(held.input, held.unit).largest, 2.8);
     EXPECT_DOUBLE_EQ(held.largest(0.3, 0.1), 90.0) << "as the dead load has come on";
     EXPECT_EQ(held.least(2.0, -1.0), 0.0) << "held open by the dead load";
     EXPECT_DOUBLE_EQ(held.least(2.0, -2.0), 40.0 * (-2.0 - 0.6) + 90.0);
@@ -227,9 +228,10 @@ TEST(LoadScale, TheCyclesThatMakeHalfOfTheGrowthCountFromTheDeadLoad) {
 }
 
 TEST(LoadScale, OfStressIntensitiesFollowsTheFirstTipAndTheGradient) {
-    LoadSection load = history(Control::StressIntensity);
-    EXPECT_EQ(load_factor_at(200.0, load, nominal), 10.0);
-    EXPECT_EQ(largest_K(load, nominal).front(), 200.0);
+    const Case input = history(Control::StressIntensity);
+    EXPECT_EQ(range_of_load(input, nominal).largest, 10.0);
+    EXPECT_EQ(largest_K(input, nominal).front(), 200.0);
+    LoadSection load = input.load;
     load.K_gradient = -0.08;
     EXPECT_DOUBLE_EQ(target_of_unit(load, nominal.K_I, 2.0), std::exp(-0.16) / 20.0);
     EXPECT_THROW(static_cast<void>(target_of_unit(load, {-1.0, 30.0}, 0.0)), CaseError);

@@ -20,9 +20,7 @@ Case growing_plate() {
     return input;
 }
 
-std::vector<double> K_of(const Scene& scene) {
-    return largest_K(scene.input.load, unit_response(solve_nominal(scene)));
-}
+std::vector<double> K_of(const Scene& scene) { return largest_K(scene.input, unit_response(solve_nominal(scene))); }
 
 TEST(TipRefinement, LeavesTheSceneOfATipAloneUntilItHasComeOn) {
     Case input = growing_plate();
