@@ -5,7 +5,6 @@
 
 namespace stria {
 
-std::string version_number();  // "0.1.0"
-std::string version_text();    // "stria 0.1.0 (1a2b3c4)", with the commit where it is known
+std::string version_text();  // "stria 0.1.0 (1a2b3c4)", with the commit where it is known
 
 }  // namespace stria

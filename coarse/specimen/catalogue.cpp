@@ -18,13 +18,10 @@ namespace stria::coarse {
 namespace {
 
 constexpr std::array catalogue{
-    Specimen{"sent", "single-edge-notched plate, crack from the left edge", rectangle, rectangle_mesh, sent_K,
-             sent_limit_load},
-    Specimen{"mt", "middle-cracked plate, crack across the middle of the width", rectangle, rectangle_mesh, mt_K,
-             mt_limit_load},
-    Specimen{"ct", "compact specimen of ASTM E647, loaded at \"pin-top\" and \"pin-bottom\"", compact_tension,
-             compact_tension_mesh, ct_K, ct_limit_load},
-    Specimen{"plate", "rectangular plate, cracks anywhere", rectangle, rectangle_mesh, nullptr, nullptr},
+    Specimen{"sent", rectangle, rectangle_mesh, sent_K, sent_limit_load},  // a crack from the left edge
+    Specimen{"mt", rectangle, rectangle_mesh, mt_K, mt_limit_load},        // one across the middle of the width
+    Specimen{"ct", compact_tension, compact_tension_mesh, ct_K, ct_limit_load},
+    Specimen{"plate", rectangle, rectangle_mesh, nullptr, nullptr},  // cracks anywhere
 };
 
 std::string text_of(const Body& body) {
@@ -116,8 +113,6 @@ Mesh mesh_with_points(const Specimen& specimen, const MeshSection& section, Mesh
 }
 
 }  // namespace
-
-std::span<const Specimen> specimens() { return catalogue; }
 
 const Specimen& find_specimen(std::string_view name) {
     const auto found =

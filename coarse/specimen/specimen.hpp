@@ -27,7 +27,6 @@ struct Body {
 
 struct Specimen {
     std::string_view name;
-    std::string_view sentence;
     Body (*body)(const MeshSection&);
     Mesh (*mesh)(const MeshSection&, const MeshLines&);
     // Null where no handbook formula applies. Under the resultant `load`, N per mm of thickness; sources: handbook.hpp.
@@ -35,10 +34,7 @@ struct Specimen {
     double (*limit_load)(double width, double a, double yield_stress, PlaneState plane);
 };
 
-/// All specimens; a new one is one more line in catalogue.cpp.
-std::span<const Specimen> specimens();
-
-/// Throws CaseError listing the available names.
+/// One of catalogue.cpp. Throws CaseError listing the available names.
 const Specimen& find_specimen(std::string_view name);
 
 /// Mesh of the case's file; or of its specimen, with node lines along the axis-parallel outlines of regions and through

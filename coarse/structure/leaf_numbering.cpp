@@ -23,7 +23,6 @@ LeafNumbering::LeafNumbering(const CoarseElements& elements, const Parts& parts)
         rim_below_ = part->rim(scene.enriched);
         for (const int unknown : part->inner(scene.enriched)) number(unknown);
         if (part == parts.far) rim_ = rim_below_, far_count_ = size();
-        if (part == parts.middle) middle_count_ = size() - far_count_;
     }
     below_count_ = size();
     for (const int unknown : rim_below_) own.insert(unknown);

@@ -25,9 +25,6 @@ public:
     [[nodiscard]] int size() const { return static_cast<int>(unknowns_.size()); }
     /// How many of them only far elements see: the first ones.
     [[nodiscard]] int far_count() const { return far_count_; }
-    /// How many lie inside of the middle, and inside of what is behind: those that follow.
-    [[nodiscard]] int middle_count() const { return middle_count_; }
-    [[nodiscard]] int behind_count() const { return below_count_ - far_count_ - middle_count_; }
     [[nodiscard]] std::span<const int> near_unknowns() const { return std::span(unknowns_).subspan(at(far_count_)); }
     [[nodiscard]] std::span<const int> core_unknowns() const { return std::span(unknowns_).subspan(at(below_count_)); }
 
@@ -53,7 +50,7 @@ private:
     std::vector<int> gamma_, free_places_;
     std::vector<int> unknowns_;
     std::vector<int> index_;  // of each unknown of the mesh in unknowns_; -1: prescribed or inside the zone
-    int far_count_ = 0, middle_count_ = 0, below_count_ = 0;
+    int far_count_ = 0, below_count_ = 0;
     std::vector<int> rim_, rim_below_;  // of the far part; of that on which the core lies
 };
 

@@ -69,19 +69,4 @@ inline Vec2 map_to_parent(const QuadNodes& nodes, const Vec2& x) {
     throw NumericalFailure("no parent coordinates: the point is far outside a distorted element");
 }
 
-/// Parent coordinates of a place on the element's boundary (edge index + fraction of the edge; 4 is 0 again).
-inline Vec2 boundary_parent(double place) {
-    static const QuadNodes corners{Vec2{-1.0, -1.0}, Vec2{1.0, -1.0}, Vec2{1.0, 1.0}, Vec2{-1.0, 1.0}};
-    const auto edge = static_cast<std::size_t>(std::clamp(place, 0.0, 4.0));
-    const double fraction = place - static_cast<double>(edge);
-    return (1.0 - fraction) * corners[edge % 4] + fraction * corners[(edge + 1) % 4];
-}
-
-/// Physical point of a place on the element's boundary.
-inline Vec2 boundary_point(const QuadNodes& nodes, double place) {
-    const auto edge = static_cast<std::size_t>(std::clamp(place, 0.0, 4.0));
-    const double fraction = place - static_cast<double>(edge);
-    return (1.0 - fraction) * nodes[edge % 4] + fraction * nodes[(edge + 1) % 4];
-}
-
 }  // namespace stria

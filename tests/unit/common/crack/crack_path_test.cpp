@@ -27,6 +27,13 @@ double length_of(const std::vector<CrackPiece>& pieces) {
     return length;
 }
 
+/// Of a place on an element's boundary: edge index + fraction of the edge.
+Vec2 boundary_point(const QuadNodes& nodes, double place) {
+    const auto edge = static_cast<std::size_t>(place);
+    const double fraction = place - static_cast<double>(edge);
+    return (1.0 - fraction) * nodes[edge % 4] + fraction * nodes[(edge + 1) % 4];
+}
+
 /// Pieces follow one another without a gap, and lie on their elements' boundaries where they say so.
 void expect_chain(const Mesh& mesh, const CrackPath& path) {
     for (std::size_t k = 0; k < path.pieces.size(); ++k) {
