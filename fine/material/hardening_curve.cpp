@@ -10,14 +10,22 @@
 namespace stria::fine {
 namespace {
 
-double value_of(const LinearCurve& c, double p) { return c.modulus * p; }
+// Of each law R and its slope, and the integral of R from 0 on.
+
+HardeningAt<double> at_of(const LinearCurve& c, double p) { return {c.modulus * p, c.modulus}; }
 double stored_of(const LinearCurve& c, double p) { return 0.5 * c.modulus * p * p; }
 
-double value_of(const VoceCurve& c, double p) { return -c.Q * std::expm1(-c.b * p); }
+HardeningAt<double> at_of(const VoceCurve& c, double p) {
+    const double lost = -std::expm1(-c.b * p);
+    return {c.Q * lost, c.Q * c.b * (1.0 - lost)};
+}
 double stored_of(const VoceCurve& c, double p) { return c.Q * (p + std::expm1(-c.b * p) / c.b); }
 
 double stress_of(const PowerCurve& c, double p) { return c.reference * std::pow((p + c.offset) / c.scale, 1.0 / c.n); }
-double value_of(const PowerCurve& c, double p) { return stress_of(c, p) - c.yield_stress; }
+HardeningAt<double> at_of(const PowerCurve& c, double p) {
+    const double stress = stress_of(c, p);
+    return {stress - c.yield_stress, stress / (c.n * (p + c.offset))};
+}
 double stored_of(const PowerCurve& c, double p) {
     const auto area = [&](double at) { return stress_of(c, at) * (at + c.offset) * c.n / (c.n + 1.0); };
     return area(p) - area(0.0) - c.yield_stress * p;
@@ -25,19 +33,16 @@ double stored_of(const PowerCurve& c, double p) {
 
 /// The segment that holds p: its first point. The last point: none.
 std::size_t segment(const TableCurve& c, double p) { return at(std::ranges::upper_bound(c.p, p) - c.p.begin()) - 1; }
-double slope_of(const TableCurve& c, double p) {
+HardeningAt<double> at_of(const TableCurve& c, double p) {
     const std::size_t k = segment(c, p);
-    return k + 1 < c.p.size() ? (c.R[k + 1] - c.R[k]) / (c.p[k + 1] - c.p[k]) : 0.0;
-}
-double value_of(const TableCurve& c, double p) {
-    const std::size_t k = segment(c, p);
-    return c.R[k] + slope_of(c, p) * (p - c.p[k]);
+    const double slope = k + 1 < c.p.size() ? (c.R[k + 1] - c.R[k]) / (c.p[k + 1] - c.p[k]) : 0.0;
+    return {c.R[k] + slope * (p - c.p[k]), slope};
 }
 double stored_of(const TableCurve& c, double p) {
     double area = 0.0;
     for (std::size_t k = 0; k <= segment(c, p); ++k) {
         const double end = k < segment(c, p) ? c.p[k + 1] : p;
-        area += 0.5 * (c.R[k] + value_of(c, end)) * (end - c.p[k]);
+        area += 0.5 * (c.R[k] + at_of(c, end).value) * (end - c.p[k]);
     }
     return area;
 }
@@ -55,25 +60,6 @@ TableCurve table(const MaterialSection& material) {
     return curve;
 }
 
-HardeningAt<double> at_of(const LinearCurve& c, double p) { return {c.modulus * p, c.modulus}; }
-HardeningAt<double> at_of(const VoceCurve& c, double p) {
-    const double lost = -std::expm1(-c.b * p);
-    return {c.Q * lost, c.Q * c.b * (1.0 - lost)};
-}
-HardeningAt<double> at_of(const PowerCurve& c, double p) {
-    const double stress = stress_of(c, p);
-    return {stress - c.yield_stress, stress / (c.n * (p + c.offset))};
-}
-HardeningAt<double> at_of(const TableCurve& c, double p) { return {value_of(c, p), slope_of(c, p)}; }
-
-/// f of a number, or of each of a pack.
-template <class P, class F> P applied(const P& p, const F& f) {
-    if constexpr (std::is_same_v<P, double>)
-        return f(p);
-    else
-        return p.unaryExpr(f);
-}
-
 }  // namespace
 
 HardeningCurve::HardeningCurve(const MaterialSection& material) {
@@ -89,11 +75,6 @@ HardeningCurve::HardeningCurve(const MaterialSection& material) {
     else
         throw CaseError(
             fmt::format("material.isotropic.law = \"{}\": must be linear, voce, power or table", given.law));
-}
-
-template <class P> P HardeningCurve::curved(const P& p) const {
-    return std::visit([&](const auto& curve) { return applied(p, [&](double each) { return value_of(curve, each); }); },
-                      curve_);
 }
 
 template <class P> HardeningAt<P> HardeningCurve::at(const P& p) const {
@@ -118,11 +99,8 @@ double HardeningCurve::stored(double p) const {
     return std::visit([&](const auto& curve) { return stored_of(curve, p); }, curve_);
 }
 
-template double HardeningCurve::curved(const double&) const;
 template HardeningAt<double> HardeningCurve::at(const double&) const;
-template Scalars<1> HardeningCurve::curved(const Scalars<1>&) const;
 template HardeningAt<Scalars<1>> HardeningCurve::at(const Scalars<1>&) const;
-template Scalars<pack_size> HardeningCurve::curved(const Scalars<pack_size>&) const;
 template HardeningAt<Scalars<pack_size>> HardeningCurve::at(const Scalars<pack_size>&) const;
 
 }  // namespace stria::fine

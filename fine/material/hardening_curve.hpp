@@ -44,7 +44,7 @@ public:
     /// R(p), MPa, of a number or of a pack of points.
     template <class P> [[nodiscard]] P value(const P& p) const {
         if (const LinearCurve* line = linear()) return line->modulus * p;
-        return curved(p);
+        return at(p).value;
     }
     /// dR/dp, MPa.
     template <class P> [[nodiscard]] P slope(const P& p) const { return at(p).slope; }
@@ -57,8 +57,6 @@ public:
     [[nodiscard]] const LinearCurve* linear() const { return std::get_if<LinearCurve>(&curve_); }
 
 private:
-    template <class P> [[nodiscard]] P curved(const P& p) const;
-
     std::variant<LinearCurve, VoceCurve, PowerCurve, TableCurve> curve_;
 };
 

@@ -9,10 +9,11 @@ MaterialSection with(IsotropicHardening isotropic) {
     return {.young = 200e3, .poisson = 0.3, .yield_stress = 300.0, .isotropic = std::move(isotropic), .kinematic = {}};
 }
 
-const std::vector<HardeningCurve> curves{
-    with({.law = "linear", .modulus = 1500.0}), with({.law = "voce", .Q = 90.0, .b = 12.0}),
-    with({.law = "power", .n = 6.0, .alpha = 0.7, .reference = 350.0}),
-    with({.law = "table", .plastic_strain = {0.0, 0.01, 0.04}, .stress = {300.0, 330.0, 340.0}})};
+const HardeningCurve power = with({.law = "power", .n = 6.0, .alpha = 0.7, .reference = 350.0});
+const HardeningCurve lines =
+    with({.law = "table", .plastic_strain = {0.0, 0.01, 0.04}, .stress = {300.0, 330.0, 340.0}});
+const std::vector<HardeningCurve> curves{with({.law = "linear", .modulus = 1500.0}),
+                                         with({.law = "voce", .Q = 90.0, .b = 12.0}), power, lines};
 
 TEST(HardeningCurve, StartsAtNothing) {
     for (const HardeningCurve& curve : curves) {
@@ -36,13 +37,13 @@ TEST(HardeningCurve, SlopeAndStoredWorkBelongToIt) {
 TEST(HardeningCurve, PowerIsTheCurveOfRambergAndOsgoodFromTheYieldStressOn) {
     const auto strain = [](double stress) { return 0.7 * 350.0 / 200e3 * std::pow(stress / 350.0, 6.0); };
     for (const double stress : {310.0, 350.0, 420.0})
-        EXPECT_NEAR(curves[2].value(strain(stress) - strain(300.0)), stress - 300.0, 1e-10);
+        EXPECT_NEAR(power.value(strain(stress) - strain(300.0)), stress - 300.0, 1e-10);
 }
 
 TEST(HardeningCurve, TableIsMadeOfStraightLinesAndEndsLevel) {
-    EXPECT_NEAR(curves[3].value(0.005), 15.0, 1e-12);
-    EXPECT_NEAR(curves[3].value(0.025), 35.0, 1e-12);
-    EXPECT_NEAR(curves[3].value(0.5), 40.0, 1e-12);
+    EXPECT_NEAR(lines.value(0.005), 15.0, 1e-12);
+    EXPECT_NEAR(lines.value(0.025), 35.0, 1e-12);
+    EXPECT_NEAR(lines.value(0.5), 40.0, 1e-12);
 }
 
 }  // namespace
