@@ -1,4 +1,4 @@
-// Contact of the faces: the work of a pressure, the semismooth equations in both statuses, and cycling.
+// Contact of the faces: the semismooth equations in both statuses, and cycling.
 #include "fine/contact/contact_interface.hpp"
 
 #include <gtest/gtest.h>
@@ -9,236 +9,12 @@
 #include <set>
 
 #include "common/index.hpp"
-#include "tests/support/plates.hpp"
+#include "tests/support/cut_plate.hpp"
 
 namespace stria::test {
 namespace {
 
-using fine::ContactInterface;
 using fine::FaceStatus;
-using Jumps = ContactInterface::Jumps;
-
-constexpr double stiffness = 1000.0;
-
-/// A crack through the whole plate, horizontal unless `right` differs from `left`.
-struct Cut {
-    explicit Cut(double left = 2.4, double right = 2.4, double notch = 0.0, double friction = 0.0)
-        : from(0.0, left), to(8.0, right), input(plate_case({from, to})), mesh(plate_mesh(8, 5, input)) {
-        input.cracks[0].notch = notch;
-        input.cracks[0].contact->friction = friction;
-    }
-    [[nodiscard]] ContactInterface contact() const { return {mesh, {}, input.cracks, 2, stiffness}; }
-    [[nodiscard]] Eigen::VectorXd opened(const Field& above) const {
-        return two_sided(mesh, from, to, above, [](const Vec2&) { return Vec2::Zero().eval(); });
-    }
-
-    Vec2 from, to;
-    Case input;
-    EnrichedMesh mesh;
-};
-
-TEST(ContactInterface, ConstantPressureDoesTheWorkOfTheOpening) {
-    for (const auto& [left, right] : {std::pair{2.4, 2.4}, {1.3, 4.2}, {4.1, 0.8}, {2.0, 2.0}}) {
-        const Cut cut(left, right);
-        const ContactInterface contact = cut.contact();
-        const auto above = [](const Vec2& x) { return Vec2(0.1 + 0.2 * x.x(), 0.3 - 0.05 * x.x() + 0.1 * x.y()); };
-        const Eigen::VectorXd u = cut.opened(above);
-        const Vec2 along = cut.to - cut.from,
-                   normal(-along.y(), along.x());  // a linear opening: its middle times the length
-        const double work = 7.0 * above(0.5 * (cut.from + cut.to)).dot(normal);
-        const Eigen::VectorXd pressure = Eigen::VectorXd::Constant(contact.multipliers(), 7.0);
-        Eigen::VectorXd force = Eigen::VectorXd::Zero(cut.mesh.unknowns);
-        contact.operators().add_force(pressure, force);
-        EXPECT_NEAR(-force.dot(u), work, 1e-12 * std::abs(work));
-    }
-}
-
-TEST(ContactInterface, ConstantTractionsDoTheWorkOfTheJumps) {
-    for (const auto& [left, right] : {std::pair{2.4, 2.4}, {1.3, 4.2}, {4.1, 0.8}, {2.0, 2.0}}) {
-        const Cut cut(left, right, 0.0, 0.5);
-        const ContactInterface contact = cut.contact();
-        ASSERT_EQ(contact.tractions(), 2 * contact.multipliers());
-        const auto above = [](const Vec2& x) { return Vec2(0.1 + 0.2 * x.x(), 0.3 - 0.05 * x.x() + 0.1 * x.y()); };
-        const Eigen::VectorXd u = cut.opened(above);
-        const Vec2 along = cut.to - cut.from, normal(-along.y(), along.x());
-        const Vec2 jump = above(0.5 * (cut.from + cut.to));
-        const double work = 7.0 * jump.dot(normal) - 3.0 * jump.dot(along);
-        Eigen::VectorXd traction(contact.tractions());
-        traction << Eigen::VectorXd::Constant(contact.multipliers(), 7.0),
-            Eigen::VectorXd::Constant(contact.multipliers(), 3.0);
-        Eigen::VectorXd force = Eigen::VectorXd::Zero(cut.mesh.unknowns);
-        contact.operators().add_force(traction, force);
-        EXPECT_NEAR(-force.dot(u), work, 1e-12 * std::abs(work));
-    }
-}
-
-// As a tip leaves its functions behind nothing opens or closes.
-TEST(ContactInterface, WhatIsFrozenWeighsAsItsUnknownsDid) {
-    for (const auto& [from, to] : {std::pair{Vec2(0.0, 2.4), Vec2(5.3, 2.4)}, {Vec2(0.0, 1.3), Vec2(5.6, 3.2)}}) {
-        Case input = plate_case({from, to});
-        input.cracks[0].contact->friction = 0.5;
-        input.fine.enrichment = Enrichment::Topological;
-        const EnrichedMesh mesh = plate_mesh(8, 5, input);
-        Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
-        for (const auto& [node, term, unknown] : mesh.own_unknowns())
-            if (term > 0 && mesh.terms[at(node)][at(term - 1)].kind == Term::Kind::Tip)
-                u.segment<2>(unknown) = Vec2(0.01 * std::sin(unknown), 0.01 * std::cos(unknown));
-        fine::FrozenTips frozen;
-        frozen.freeze(mesh, 0, u);
-        const ContactInterface own(mesh, {}, input.cracks, 2, stiffness),
-            fixed(mesh, {}, input.cracks, 2, stiffness, frozen);
-        const Eigen::VectorXd gaps = own.operators().gaps(u), slips = own.operators().slips(u), none = 0.0 * u;
-        EXPECT_GT(gaps.norm(), 1e-4);
-        EXPECT_LT((fixed.operators().gaps(none) - gaps).norm(), 1e-12 * gaps.norm());
-        EXPECT_LT((fixed.operators().slips(none) - slips).norm(), 1e-12 * slips.norm());
-    }
-}
-
-// The paper's plain space: the jump of each Gauss point is its own condition, and closed ones give way to a step or the
-// matrix would be singular.
-TEST(ContactInterface, OneMultiplierAtEachGaussPointSeesTheJumpThere) {
-    Cut cut(1.3, 4.2, 0.0, 0.5);
-    cut.input.cracks[0].contact->multipliers = MultiplierKind::Gauss;
-    ContactInterface contact = cut.contact();
-    const auto& stations = contact.operators().stations();
-    ASSERT_EQ(contact.multipliers(), std::ssize(stations));
-    const auto above = [](const Vec2& x) { return Vec2(0.1 + 0.2 * x.x(), 0.3 - 0.05 * x.x() + 0.1 * x.y()); };
-    const Jumps jumps = contact.jumps(cut.opened(above));
-    contact.choose_statuses(Eigen::VectorXd::Ones(contact.tractions()),
-                            contact.jumps(cut.opened([](const Vec2&) { return Vec2::Zero().eval(); })));
-    for (const FaceStation& station : stations) {
-        const int k = contact.operators().functions_at(station)[0].multiplier;
-        EXPECT_NEAR(jumps.gap[k], above(station.x).dot(station.normal), 1e-12);
-        EXPECT_NEAR(jumps.slip[k], above(station.x).dot(station.tangent), 1e-12);
-        EXPECT_NEAR(contact.operators().weight(k), station.weight, 1e-14);
-        const Eigen::VectorXd own = contact.matrix_of(k).diagonal().tail(2);
-        EXPECT_LT(own.maxCoeff(), 0.0);
-    }
-}
-
-TEST(ContactInterface, AUniformSlipIsSeenByEveryMultiplierAndHeldOnceSettled) {
-    const Cut cut(1.3, 4.2, 0.0, 0.5);
-    ContactInterface contact = cut.contact();
-    contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
-    const Vec2 tangent = Vec2(8.0, 4.2 - 1.3).normalized();
-    const Eigen::VectorXd u = cut.opened([&](const Vec2&) { return 0.25 * tangent; });
-    EXPECT_LT((contact.jumps(u).slip.array() - 0.25).abs().maxCoeff(), 1e-13);
-    EXPECT_LT(contact.jumps(u).gap.cwiseAbs().maxCoeff(), 1e-13);
-    contact.settle(u);
-    EXPECT_LT(contact.jumps(2.0 * u).slip.array().abs().maxCoeff() - 0.25, 1e-13);
-    EXPECT_EQ(contact.jumps(u).slip.cwiseAbs().maxCoeff(), 0.0);
-}
-
-/// Faces that are 0.01 mm apart and go to meet after a slip of -0.005 mm more.
-struct GoingToMeet {
-    explicit GoingToMeet(const Cut& plate) : cut(plate), contact(plate.contact()) {
-        contact.settle(at(0.0, 0.02));
-        contact.choose_statuses(none(), contact.jumps(at(-0.005, 0.01)));
-        contact.commit(at(-0.005, 0.01));
-    }
-    [[nodiscard]] Eigen::VectorXd at(double slip, double gap) const {
-        return cut.opened([=](const Vec2&) { return Vec2(slip, gap); });
-    }
-    [[nodiscard]] Eigen::VectorXd none() const { return Eigen::VectorXd::Zero(contact.tractions()); }
-
-    const Cut& cut;
-    ContactInterface contact;
-};
-
-TEST(ContactInterface, SlipOfFacesApartCountsFromWhereTheyMeet) {
-    const Cut cut(2.4, 2.4, 0.0, 0.5);
-    GoingToMeet faces(cut);
-    const auto off = [&](const Eigen::VectorXd& u, double slip) {
-        coupling::WorkCounts work;
-        const Eigen::VectorXd closed = Eigen::VectorXd::Ones(faces.contact.tractions());
-        return std::max((faces.contact.jumps(u).slip.array() - slip).abs().maxCoeff(),
-                        (faces.contact.jumps_that_matter(u, closed, work).slip.array() - slip).abs().maxCoeff());
-    };
-    EXPECT_LT(off(faces.at(-0.010, 0.0), 0.0), 1e-15);
-    EXPECT_LT(off(faces.at(-0.013, 0.0), -0.003), 1e-15);
-    ContactInterface resumed = cut.contact();
-    resumed.restore(faces.contact.committed_statuses(), faces.contact.approach());
-    resumed.settle(faces.at(-0.005, 0.01));
-    EXPECT_EQ(resumed.jumps(faces.at(0.0, 0.0)).slip, faces.contact.jumps(faces.at(0.0, 0.0)).slip);
-    const Eigen::VectorXd pressed = Eigen::VectorXd::Ones(faces.contact.tractions());
-    faces.contact.choose_statuses(pressed, faces.contact.jumps(faces.at(-0.010, 0.0)));
-    faces.contact.commit(faces.at(-0.010, 0.0));  // from now on they touch
-    EXPECT_LT(off(faces.at(-0.013, 0.0), -0.003), 1e-15);
-}
-
-// Which way they come back is not known.
-TEST(ContactInterface, SlipOfFacesThatOpenCountsFromWhereTheyAre) {
-    const Cut cut(2.4, 2.4, 0.0, 0.5);
-    GoingToMeet faces(cut);
-    faces.contact.choose_statuses(faces.none(), faces.contact.jumps(faces.at(-0.002, 0.02)));
-    faces.contact.commit(faces.at(-0.002, 0.02));
-    EXPECT_EQ(faces.contact.approach().until_met, Eigen::VectorXd::Zero(faces.contact.multipliers()).eval());
-    EXPECT_LT((faces.contact.jumps(faces.at(-0.005, 0.0)).slip.array() + 0.003).abs().maxCoeff(), 1e-15);
-}
-
-TEST(ContactInterface, AResumedOneForetellsTheNextMeetingAlike) {
-    const Cut cut(2.4, 2.4, 0.0, 0.5);
-    GoingToMeet faces(cut);
-    ContactInterface resumed = cut.contact();
-    resumed.restore(faces.contact.committed_statuses(), faces.contact.approach());
-    resumed.settle(faces.at(-0.005, 0.01));
-    for (ContactInterface* contact : {&faces.contact, &resumed}) {
-        contact->choose_statuses(faces.none(), contact->jumps(faces.at(-0.009, 0.004)));
-        contact->commit(faces.at(-0.009, 0.004));
-    }
-    EXPECT_GT(faces.contact.approach().until_met.cwiseAbs().minCoeff(), 1e-3);
-    EXPECT_EQ(resumed.approach().until_met, faces.contact.approach().until_met);
-}
-
-TEST(ContactInterface, WhereTheLoadsTurnSlipOfFacesApartCountsFromWhereTheyAre) {
-    const Cut cut(2.4, 2.4, 0.0, 0.5);
-    GoingToMeet faces(cut);
-    faces.contact.forget_approach();
-    EXPECT_LT(faces.contact.jumps(faces.at(-0.005, 0.0)).slip.cwiseAbs().maxCoeff(), 1e-15);
-}
-
-// They meet, and slide on by 0.01 mm under a pressure that grows to 6 MPa.
-TEST(ContactInterface, OnlyWhatFacesSlideAfterMeetingDissipates) {
-    const Cut cut(2.4, 2.4, 0.0, 0.4);
-    GoingToMeet faces(cut);
-    const int m = faces.contact.multipliers();
-    Eigen::VectorXd after(2 * m);
-    after << Eigen::VectorXd::Constant(m, 6.0), Eigen::VectorXd::Constant(m, -2.4);
-    const Jumps jumps = faces.contact.jumps(faces.at(-0.020, 0.0));
-    faces.contact.choose_statuses(after, jumps);
-    EXPECT_NEAR(faces.contact.dissipated(faces.none(), after, jumps), 0.4 * 3.0 * 0.01 * 8.0, 1e-13);
-}
-
-TEST(ContactInterface, ANotchIsFree) {
-    const Cut cut(2.4, 2.4, 3.0);
-    const ContactInterface contact = cut.contact();
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(cut.mesh.unknowns);
-    contact.operators().add_force(Eigen::VectorXd::Ones(contact.multipliers()), force);
-    const Eigen::VectorXd lifted = cut.opened([](const Vec2&) { return Vec2(0.0, 1.0); });
-    EXPECT_LT(-force.dot(lifted), 5.5);  // mm: no interface element is split, so up to one is lost
-    EXPECT_GT(-force.dot(lifted), 4.4);
-}
-
-TEST(ContactInterface, LessOfTheCrackThanBetweenTwoPointsStaysOpen) {
-    const Cut cut(2.4, 2.4, 8.0 - 1e-3);
-    ContactInterface contact = cut.contact();
-    ASSERT_EQ(contact.multipliers(), 1);
-    const Eigen::VectorXd closed = cut.opened([](const Vec2&) { return Vec2(0.0, -1.0).eval(); });
-    contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
-    coupling::WorkCounts work;
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(1);
-    const ContactInterface::Jumps jumps = contact.jumps_that_matter(closed, none, work);
-    EXPECT_GT(jumps.gap[0], 0.0);
-    contact.choose_statuses(none, jumps);
-    EXPECT_EQ(contact.status_changes(), 0);
-}
-
-TEST(ContactInterface, AUniformGapIsSeenByEveryMultiplier) {
-    const Cut cut(1.3, 4.2);
-    const Vec2 normal = Vec2(1.3 - 4.2, 8.0).normalized();
-    const Eigen::VectorXd gaps = cut.contact().jumps(cut.opened([&](const Vec2&) { return 0.25 * normal; })).gap;
-    EXPECT_LT((gaps.array() - 0.25).abs().maxCoeff(), 1e-13);
-}
 
 // Opened like a wedge: what closes by more and more touches where it is narrow, and is not looked at where it is wide.
 TEST(ContactInterface, GapsThatCannotCloseAreNotLookedAt) {
@@ -267,15 +43,6 @@ TEST(ContactInterface, GapsThatCannotCloseAreNotLookedAt) {
     const coupling::WorkCounts before = work;  // who bears or may pull is looked at, however wide
     (void)contact.jumps_that_matter(wedge(0.0), Eigen::VectorXd::Ones(contact.multipliers()), work);
     EXPECT_EQ(work.gaps_evaluated - before.gaps_evaluated, contact.multipliers());
-}
-
-TEST(ContactInterface, EveryTractionHasAJumpOfItsOwn) {  // or it would do no work
-    for (const auto& [left, right] : {std::pair{2.4, 2.4}, {1.3, 4.2}, {4.1, 0.8}, {2.0, 2.0}, {2.001, 3.999}}) {
-        const ContactInterface contact = Cut(left, right, 0.0, 0.5).contact();
-        Eigen::MatrixXd B(contact.tractions(), contact.operators().operator_B().cols());
-        B << Eigen::MatrixXd(contact.operators().operator_B()), Eigen::MatrixXd(contact.operators().operator_T());
-        EXPECT_GT(Eigen::JacobiSVD<Eigen::MatrixXd>(B).singularValues().tail<1>()[0], 0.1) << left << ' ' << right;
-    }
 }
 
 /// Random tractions and jumps with statuses chosen for them: about half are closed.
@@ -323,27 +90,6 @@ TEST_P(EitherContact, RowsAreTheDerivativeOfTheirRightHandSide) {
     EXPECT_EQ(now.count(FaceStatus::SlipBack) > 0, GetParam() > 0.0);
 }
 
-// Where they will meet is known before, so the rows have no more terms.
-TEST(ContactInterface, RowsOfFacesThatMeetAreTheDerivativeOfTheirRightHandSide) {
-    const Cut cut(2.4, 2.4, 0.0, 0.4);
-    GoingToMeet faces(cut);
-    const ContactInterface& contact = faces.contact;
-    const int m = contact.multipliers();
-    const Eigen::VectorXd u = faces.at(-0.012, -1e-4), traction = random_vector(2 * m, 0.1, 2);
-    faces.contact.choose_statuses(traction, contact.jumps(u));
-    const Eigen::VectorXd du = random_vector(u.size(), 1e-4, 3), dt = random_vector(2 * m, 1e-2, 4);
-    Eigen::VectorXd all(du.size() + dt.size()), predicted = Eigen::VectorXd::Zero(all.size());
-    all << du, dt;
-    for (int k = 0; k < m; ++k) {
-        const std::vector<int> unknowns = contact.unknowns_of(k, static_cast<int>(du.size()));
-        predicted(unknowns) += contact.matrix_of(k) * all(unknowns);
-    }
-    const Eigen::VectorXd difference = contact.right_hand_side(traction, contact.jumps(u)) -
-                                       contact.right_hand_side(traction + dt, contact.jumps(u + du));
-    EXPECT_LT((predicted.tail(dt.size()) - difference).norm(), 1e-12 * difference.norm());
-    EXPECT_GT(std::ranges::count_if(contact.statuses(), fine::is_closed), 0);
-}
-
 TEST_P(EitherContact, StatusesAreTheBranchesOfTheLaw) {
     const Cut cut(2.4, 2.4, 0.0, GetParam());
     const Iterate now(cut);
@@ -352,7 +98,7 @@ TEST_P(EitherContact, StatusesAreTheBranchesOfTheLaw) {
     const Eigen::VectorXd weight = now.contact.operators().operator_B() * lifted;  // mm
     double largest = 0.0;
     for (int k = 0; k < weight.size(); ++k) {
-        const fine::CoulombContact law{GetParam(), 0.1 * stiffness / weight[k]};
+        const fine::CoulombContact law{GetParam(), 0.1 * contact_stiffness / weight[k]};
         const int shear = now.contact.shear_of(k);
         const fine::FaceState state{now.traction[k], shear < 0 ? 0.0 : now.traction[shear], jumps.gap[k],
                                     jumps.slip[k]};
