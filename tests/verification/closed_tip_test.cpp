@@ -56,7 +56,7 @@ TEST(ClosedTip, OfAnElasticBodyHasNoKAndNoJ) {
 }
 
 // Without functions faces end on an edge, here 0.07 mm off the tips, and what presses on them counted at its distance
-// from the tips: 7 % of K were left.
+// from the tips: 3 % of K were left.
 TEST(ClosedTip, WhoseFacesEndBesideItHasNextToNoK) {
     Case input = pressed_plate(false);
     input.fine.enrichment = Enrichment::None;
