@@ -19,7 +19,7 @@ quadrilaterals. Its twins:
     turned     the mesh file's body, cracks and loads turned by an angle
 
 Scaled by powers of two numbers kept ten digits in the cases looked at. Others change the rounding, and rounding
-decides: the diagonal along which a rectangle about a crack is cut into triangles, with an error of the quadrature of
+decides: the diagonal along which a rectangle beside a tip is cut into triangles, with an error of the quadrature of
 3e-4 of the T stress in elements as coarse as these; which points have begun to flow, in zones that end at them, where
 a cycle comes back to the yield stress; and the trials for opening loads end within 0.2 % of the largest load. So
 numbers may differ by the bounds of TOLERANCE, relative to the largest of their kind. Runs that end with 2 or 3 do so

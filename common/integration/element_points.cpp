@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "common/fem/centre.hpp"
 #include "common/fem/quadrature.hpp"
@@ -12,6 +14,7 @@ namespace stria {
 namespace {
 
 using Segment = std::pair<Vec2, Vec2>;
+using Quad = std::array<Vec2, 4>;
 
 /// Of a triangle, of the element's diagonal squared: less is what rounding leaves between two lines. It weighs nothing,
 /// and what flows there and nowhere else would make a plastic zone.
@@ -50,8 +53,28 @@ private:
         }
         if (inside.empty())
             add_quad(i, j, quad);
+        else if (const std::optional<std::array<Quad, 2>> halves = halves_of(quad, inside))
+            for (const Quad& half : *halves) add_rectangle(half);
         else
             for (const auto& triangle : triangulate(with_ends_as_corners(quad, inside), inside)) add_triangle(triangle);
+    }
+
+    // A rectangle that is cut along an edge, in two. Either diagonal of such a half would do, so rounding would choose
+    // one, and a body and its mirror image would differ by what triangles are off by.
+    [[nodiscard]] std::optional<std::array<Quad, 2>> halves_of(const Quad& quad,
+                                                               const std::vector<Segment>& inside) const {
+        if (inside.size() != 1) return {};
+        for (const std::size_t first : {0U, 1U}) {
+            const Vec2 &a = quad[first], &b = quad[first + 1], &c = quad[first + 2], &d = quad[(first + 3) % 4];
+            const Vec2 along = b - a, up = d - a;
+            auto [below, above] = inside.front();
+            if ((above - below).dot(up) < 0.0) std::swap(below, above);
+            const double place = (below - a).dot(along) / along.squaredNorm();
+            const bool rectangle = std::abs(along.dot(up)) < 1e-10 * size_ * size_ && same(c, b + up, size_);
+            if (rectangle && same(below, a + place * along, size_) && same(above, d + place * along, size_))
+                return {{Quad{a, below, above, d}, Quad{below, b, c, above}}};
+        }
+        return {};
     }
 
     // Ends that lie on an edge to within rounding become corners: the triangulation has nothing to intersect, so it
@@ -132,6 +155,16 @@ private:
             const Vec2 xi = Vec2(-1.0, -1.0) + (Vec2(2.0 * i + 1.0, 2.0 * j + 1.0) + gauss.xi) / s;
             add_point(map_to_physical(corners_, xi), xi, gauss.weight * shape_q4(corners_, xi).jacobian / (s * s),
                       side);
+        }
+    }
+
+    // Exact to the degree of triangles at least, with fewer points than two of them have.
+    void add_rectangle(const Quad& rectangle) {
+        if (polygon_area(rectangle) < least_area * size_ * size_) return;
+        const int side = side_at(centre(rectangle));
+        for (const SquarePoint& gauss : gauss_square(singular_ ? 3 : 2)) {
+            const Vec2 x = map_to_physical(rectangle, gauss.xi);
+            add_point(x, map_to_parent(corners_, x), gauss.weight * shape_q4(rectangle, gauss.xi).jacobian, side);
         }
     }
 
