@@ -90,7 +90,7 @@ TEST(LongLife, SoDoFiveHundredThatGrowInEachLong) {
                              effort.text(491, 500), effort.a[500], effort.cuts);
     EXPECT_GT(effort.a[500], 29.97);
     EXPECT_LE(effort.in_cycles(491, 500), 1.15 * effort.in_cycles(21, 30));
-    EXPECT_LE(effort.points_in(491, 500), 2.0 * effort.points_in(21, 30));
+    EXPECT_LE(effort.points_in(491, 500), 1.15 * effort.points_in(21, 30));
 }
 
 TEST(LongLife, FourteenCyclesThatGrowInEachCostWhatTheFirstOnesDo) {
