@@ -16,16 +16,16 @@ namespace {
 
 /// The cracks, those longer that turn sharply as soon as they grow: metal flows on that way before a tip is there, and
 /// what has flowed is never split. By K of the largest load; beside load cases they go straight on.
-std::vector<CrackSection> about_to_turn(const Scene& scene, const UnitResponse& nominal) {
+std::vector<CrackSection> about_to_turn(const Scene& scene, const std::vector<TipResult>& nominal,
+                                        const LoadFactors& largest) {
     const Case& input = scene.input;
     std::vector<CrackSection> cracks = input.cracks;
     if (!input.growth || input.growth->direction == GrowthDirection::Straight || !input.load_cases.empty())
         return cracks;
-    const double factor = range_of_load(input, nominal).largest;
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
         const Tip& tip = scene.enriched.tips[t];
-        const double K_I = factor * nominal.K_I[t] + nominal.K_initial[t],
-                     angle = hoop_stress_angle(K_I, factor * nominal.K_II[t] + nominal.K_II_initial[t]);
+        const double K_I = K_I_under(nominal[t], largest),
+                     angle = hoop_stress_angle(K_I, K_II_under(nominal[t], largest));
         if (!(K_I > 0.0) || !(std::abs(angle) > sharp_turn)) continue;
         const Vec2 step = 0.1 * tip_element_edge(scene.enriched, tip) * (Eigen::Rotation2Dd(angle) * tip.direction);
         std::vector<Vec2>& points = cracks[at(tip.crack)].points;
@@ -44,9 +44,10 @@ Scene refined_scene(const Case& input, const std::function<void(const Scene&)>& 
     std::vector<CrackSection> cracks = input.cracks;
     if (!input.fine.radius || input.growth) {
         if (before_solving) before_solving(scene);
-        const UnitResponse nominal = unit_response(solve_nominal(scene));
-        K = largest_K(input, nominal);
-        cracks = about_to_turn(scene, nominal);
+        const NominalSolution nominal = solve_nominal(scene);
+        const UnitResponse unit = unit_response(nominal);
+        K = largest_K(input, unit);
+        cracks = about_to_turn(scene, nominal.tips, range_of_load(input, unit).largest);
     }
     Mesh refined = refine(scene.mesh, disks_about_tips(scene, cracks, K, Room::ToGrow)).mesh;
     refined.material.clear();  // small elements tell the outlines of regions better
