@@ -63,7 +63,7 @@ MaterialSection steel() {
     return {.young = 200e3,
             .poisson = 0.3,
             .yield_stress = 350.0,
-            .isotropic = {.law = "linear", .modulus = 1000.0},
+            .isotropic = {.law = HardeningLaw::Linear, .modulus = 1000.0},
             .kinematic = {{4000.0, 0.0}}};
 }
 

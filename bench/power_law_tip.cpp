@@ -47,7 +47,7 @@ Case case_of(const Trial& trial) {
     input.material = {.young = young,
                       .poisson = 0.3,
                       .yield_stress = (trial.n < 4.0 ? 0.1 : 0.3) * sigma_0,
-                      .isotropic = {.law = "power", .n = trial.n, .alpha = 1.0, .reference = sigma_0},
+                      .isotropic = {.law = HardeningLaw::Power, .n = trial.n, .alpha = 1.0, .reference = sigma_0},
                       .kinematic = {}};
     input.cracks = {{.points = {{0.0, Trial::level()}, {trial.a(), Trial::level()}}, .contact = {}}};
     for (const double sign : {1.0, -1.0}) {

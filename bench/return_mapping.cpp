@@ -18,7 +18,7 @@ MaterialSection material_of(int back_stresses) {
     return {.young = 200e3,
             .poisson = 0.3,
             .yield_stress = 350.0,
-            .isotropic = {.law = "linear", .modulus = 1000.0},
+            .isotropic = {.law = HardeningLaw::Linear, .modulus = 1000.0},
             .kinematic = std::vector<KinematicHardening>(at(back_stresses), {4000.0, 0.0})};
 }
 

@@ -39,7 +39,7 @@ double hardening_of(const KinematicHardening& term, double p) {
 /// Where the slope of stress over plastic strain is negative flow gathers in bands as wide as an element.
 std::optional<std::string> softening_warning(const std::string& key, const MaterialSection& material) {
     const IsotropicHardening& isotropic = material.isotropic;
-    if (!material.yield_stress || isotropic.law != "voce" || isotropic.Q >= 0.0) return std::nullopt;
+    if (!material.yield_stress || isotropic.law != HardeningLaw::Voce || isotropic.Q >= 0.0) return std::nullopt;
     double least = 0.0, strain = 0.0;
     constexpr double first = 1e-5, last = 1.0, step = 1.02;  // plastic strains
     constexpr double seen_in_a_run = 1e-4;
@@ -86,7 +86,7 @@ std::vector<std::string> material_warnings(const Case& input) {
 
 std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K,
                                        const std::vector<double>& largest_K) {
-    if (!input.growth || is_prescribed(*input.growth) || input.growth->law == GrowthLaw::Ctod || K.empty()) return {};
+    if (!input.growth || !is_law_of_dK(*input.growth) || K.empty()) return {};
     const GrowthSection& growth = *input.growth;
     const double part = part_that_drives(input);
     const double usual = part * std::ranges::max(K), largest = part * std::ranges::max(largest_K);

@@ -101,7 +101,8 @@ double increments_of(const Case& input, const std::vector<Leg>& legs, double cyc
 
 /// Points that flow take little then (docs/equations.md, exact return).
 bool returns_exactly(const MaterialSection& material, PlaneState plane) {
-    return plane == PlaneState::Strain && material.isotropic.law == "linear" && are_linear(material.kinematic);
+    return plane == PlaneState::Strain && material.isotropic.law == HardeningLaw::Linear &&
+           are_linear(material.kinematic);
 }
 
 /// In a mean iteration: what flows does not rest.

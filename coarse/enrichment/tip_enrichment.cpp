@@ -8,7 +8,8 @@ namespace {
 /// n of the strain's r^(-n/(n+1)) at the tip. Behind a growing tip the metal has unloaded: there it is no power law's.
 double singular_n(const Case& input) {
     const MaterialSection& metal = input.material;
-    const bool of_power_law = metal.yield_stress && metal.isotropic.law == "power" && metal.kinematic.empty();
+    const bool of_power_law =
+        metal.yield_stress && metal.isotropic.law == HardeningLaw::Power && metal.kinematic.empty();
     return input.fine.enrichment_n.value_or(of_power_law && !input.growth ? metal.isotropic.n : 1.0);
 }
 

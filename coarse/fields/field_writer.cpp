@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "common/error.hpp"
 #include "common/io/json.hpp"
 #include "common/io/whole_file.hpp"
 
@@ -29,12 +28,6 @@ std::string collection_text(const std::vector<std::pair<std::string, double>>& f
 }
 
 }  // namespace
-
-FieldFormat field_format(const std::string& name) {
-    if (name == "vtkhdf") return FieldFormat::VtkHdf;
-    if (name == "vtu") return FieldFormat::Vtu;
-    throw CaseError(fmt::format("output.format: \"{}\" is not known, must be \"vtkhdf\" or \"vtu\"", name));
-}
 
 FieldWriter::FieldWriter(std::filesystem::path directory, FieldFormat format, std::vector<Step> written)
     : directory_(std::move(directory)), format_(format), steps_(std::move(written)) {

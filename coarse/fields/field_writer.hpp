@@ -8,16 +8,12 @@
 #include <vector>
 
 #include "coarse/fields/vtk_files.hpp"
+#include "common/case/case.hpp"
 
 namespace stria::coarse {
 
-enum class FieldFormat { VtkHdf, Vtu };
-
 /// Of the folder of results, where the files of fields are.
 inline constexpr const char* fields_folder = "fields";
-
-/// output.format of the case; throws CaseError for another name.
-FieldFormat field_format(const std::string& name);
 
 class FieldWriter {
 public:

@@ -29,7 +29,7 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
       history_(table(directory / result_files::history, history_columns(), from, from ? from->history_rows : 0)),
       cycles_(table(directory / result_files::cycles, cycle_columns(), from, from ? from->cycle_rows : 0)),
       faces_(table(directory / result_files::faces, face_columns(), from, from ? from->face_rows : 0)),
-      fields_(directory, field_format(scene.input.output.format),
+      fields_(directory, scene.input.output.format,
               from ? from->fields : std::vector<FieldWriter::Step>()) {
     if (!scene.input.closure.profile.empty())
         closure_.emplace(

@@ -44,8 +44,10 @@ struct MeshSection {
     bool operator==(const MeshSection&) const = default;
 };
 
+enum class HardeningLaw { Linear, Voce, Power, Table };
+
 struct IsotropicHardening {
-    std::string law = "linear";
+    HardeningLaw law = HardeningLaw::Linear;
     double modulus = 0.0;                                  // MPa; linear: R = modulus p
     double Q = 0.0, b = 0.0;                               // MPa; voce: R = Q (1 - exp(-b p))
     double n = 0.0, alpha = 0.0;                           // power: p = alpha reference / E (sigma / reference)^n
@@ -244,17 +246,21 @@ struct FineSection {
     bool operator==(const FineSection&) const = default;
 };
 
+/// When the state of all points crosses from the zone besides where it is wanted.
+enum class StateCrosses { WhereWanted, EachIncrement, EachIterate };
+
 struct CouplingSection {
-    std::string state = "auto";
+    StateCrosses state = StateCrosses::WhereWanted;
     bool operator==(const CouplingSection&) const = default;
 };
 
 enum class Written { Extremes, Cycles, All, None };
+enum class FieldFormat { VtkHdf, Vtu };
 
 struct OutputSection {
     Written faces = Written::Extremes, fields = Written::Extremes, history = Written::All;
-    std::string format = "vtkhdf";  // vtkhdf | vtu
-    int checkpoint_every = 10;      // cycles; 0: only at the end, and where a run is interrupted
+    FieldFormat format = FieldFormat::VtkHdf;
+    int checkpoint_every = 10;  // cycles; 0: only at the end, and where a run is interrupted
     bool operator==(const OutputSection&) const = default;
 };
 

@@ -33,10 +33,14 @@ inline bool has_friction(const std::vector<CrackSection>& cracks) {
 /// The increment of growth is given, and no law of da/dN.
 inline bool is_prescribed(const GrowthSection& growth) { return growth.law == GrowthLaw::Prescribed; }
 
+/// da/dN follows from a range of K.
+inline bool is_law_of_dK(const GrowthSection& growth) {
+    return growth.law == GrowthLaw::Paris || growth.law == GrowthLaw::Table;
+}
+
 /// Opening loads decide a life: they drive a law of dK.
 inline bool grows_by_opening_loads(const GrowthSection& growth) {
-    return (growth.law == GrowthLaw::Paris || growth.law == GrowthLaw::Table) &&
-           growth.driving == GrowthDriving::EffectiveRange;
+    return is_law_of_dK(growth) && growth.driving == GrowthDriving::EffectiveRange;
 }
 
 /// What becomes of the faces behind a tip decides a life: its opening load, or how far its faces open.

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
-#include "common/error.hpp"
 #include "common/index.hpp"
 
 namespace stria::fine {
@@ -64,17 +62,20 @@ TableCurve table(const MaterialSection& material) {
 
 HardeningCurve::HardeningCurve(const MaterialSection& material) {
     const IsotropicHardening& given = material.isotropic;
-    if (given.law == "linear")
+    switch (given.law) {
+    case HardeningLaw::Linear:
         curve_ = LinearCurve{given.modulus};
-    else if (given.law == "voce")
+        break;
+    case HardeningLaw::Voce:
         curve_ = VoceCurve{given.Q, given.b};
-    else if (given.law == "power")
+        break;
+    case HardeningLaw::Power:
         curve_ = power(material);
-    else if (given.law == "table")
+        break;
+    case HardeningLaw::Table:
         curve_ = table(material);
-    else
-        throw CaseError(
-            fmt::format("material.isotropic.law = \"{}\": must be linear, voce, power or table", given.law));
+        break;
+    }
 }
 
 template <class P> HardeningAt<P> HardeningCurve::at(const P& p) const {

@@ -38,7 +38,7 @@ template <class P> struct HardeningAt { P value, slope; };
 class HardeningCurve {
 public:
     HardeningCurve(LinearCurve curve = {0.0}) : curve_(curve) {}  // NOLINT(google-explicit-constructor)
-    /// Of a case, whose schema has checked the parameters. Throws CaseError for a law that is not known.
+    /// Of a case, whose schema has checked the parameters.
     HardeningCurve(const MaterialSection& material);  // NOLINT(google-explicit-constructor)
 
     /// R(p), MPa, of a number or of a pack of points.

@@ -18,7 +18,7 @@ Case plate_with_a_bent_crack() {
     Case input = specimen("plate", 20.0, {{0.0, 9.29014}, {2.67554, 10.1566}, {4.17554, 9.91944}});
     input.mesh.width = 10.0;
     input.material.yield_stress = 161.59775;
-    input.material.isotropic = {.law = "power", .n = 10.83, .alpha = 0.8415};
+    input.material.isotropic = {.law = HardeningLaw::Power, .n = 10.83, .alpha = 0.8415};
     input.cracks[0].contact = ContactSection{0.407};
     const double shear = -0.0144259;
     for (const auto& [edge, traction] :

@@ -37,7 +37,7 @@ Case plate_at_rest() {
     input.mesh.size = 0.9091;
     input.material.poisson = 0.0;
     input.material.yield_stress = 374.47646;
-    input.material.isotropic = {.law = "linear", .modulus = 1000.0};
+    input.material.isotropic = {.law = HardeningLaw::Linear, .modulus = 1000.0};
     input.material.kinematic = {{.C = 3407.0, .gamma = 0.0}};
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     return growing_twice(input, 82.2925, 25.84, 1.702, 0.252);
@@ -66,7 +66,7 @@ Case plate_of_two_metals() {
     input.mesh.width = 10.0;
     input.mesh.size = 0.9091;
     input.material.yield_stress = 313.0;
-    input.material.isotropic = {.law = "power", .n = 4.522, .alpha = 0.9854};
+    input.material.isotropic = {.law = HardeningLaw::Power, .n = 4.522, .alpha = 0.9854};
     input.regions = {
         {.outline = {{5.8, -1.0}, {20.0, -1.0}, {20.0, 31.0}, {1.8, 31.0}}, .material = {}, .initial_stress = {}}};
     input.regions[0].material.young = 70e3;
@@ -85,7 +85,7 @@ Case plate_with_two_cracks() {
     input.mesh.width = 10.0;
     input.mesh.size = 0.8333;
     input.material.yield_stress = 253.0;
-    input.material.isotropic = {.law = "linear", .modulus = 1000.0};
+    input.material.isotropic = {.law = HardeningLaw::Linear, .modulus = 1000.0};
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     input.fine.refine = 2;
     Case growing = growing_twice(input, 42.4, 1.2, 1.551, 0.173);

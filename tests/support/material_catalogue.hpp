@@ -23,7 +23,7 @@ inline MaterialSection linear_steel(double isotropic, std::vector<KinematicHarde
     return {.young = 200e3,
             .poisson = 0.3,
             .yield_stress = 350.0,
-            .isotropic = {.law = "linear", .modulus = isotropic},
+            .isotropic = {.law = HardeningLaw::Linear, .modulus = isotropic},
             .kinematic = std::move(kinematic)};
 }
 
@@ -33,7 +33,7 @@ inline MaterialSection curved(IsotropicHardening isotropic, std::vector<Kinemati
     return material;
 }
 
-inline const IsotropicHardening voce{.law = "voce", .Q = 80.0, .b = 20.0};
+inline const IsotropicHardening voce{.law = HardeningLaw::Voce, .Q = 80.0, .b = 20.0};
 inline const std::vector<KinematicHardening> recalling{{60e3, 300.0}, {9e3, 30.0}, {2e3, 0.0}};
 inline const std::vector<KinematicHardening> multilinear{{100e3, 2000.0, true}, {30e3, 500.0, true}, {8e3, 60.0, true}};
 
@@ -46,11 +46,11 @@ inline const std::vector<Law>& catalogue() {
             {"prager", linear_steel(0.0, {{5000.0, 0.0}})},
             {"mixed", linear_steel(1000.0, {{3000.0, 0.0}, {20000.0, 0.0}})},
             {"voce", curved(voce, {{3000.0, 0.0}})},
-            {"softening", curved({.law = "voce", .Q = -80.0, .b = 20.0}, recalling)},
-            {"power", curved({.law = "power", .n = 8.0, .alpha = 0.5, .reference = 400.0})},
+            {"softening", curved({.law = HardeningLaw::Voce, .Q = -80.0, .b = 20.0}, recalling)},
+            {"power", curved({.law = HardeningLaw::Power, .n = 8.0, .alpha = 0.5, .reference = 400.0})},
             {"table",
              curved(
-                 {.law = "table", .plastic_strain = {0.0, 0.002, 0.01, 0.1}, .stress = {350.0, 380.0, 400.0, 450.0}})},
+                 {.law = HardeningLaw::Table, .plastic_strain = {0.0, 0.002, 0.01, 0.1}, .stress = {350.0, 380.0, 400.0, 450.0}})},
             {"recall", curved(voce, recalling)},
             {"threshold", linear_steel(0.0, {{50e3, 500.0, true}})},
             {"multilinear", curved(voce, multilinear)},

@@ -19,7 +19,7 @@ inline MaterialSection linear_hardening(double yield_stress, double isotropic = 
     MaterialSection section{.young = 200e3,
                             .poisson = 0.3,
                             .yield_stress = yield_stress,
-                            .isotropic = {.law = "linear", .modulus = isotropic},
+                            .isotropic = {.law = HardeningLaw::Linear, .modulus = isotropic},
                             .kinematic = {}};
     for (const double C : kinematic) section.kinematic.push_back({C, 0.0});
     return section;

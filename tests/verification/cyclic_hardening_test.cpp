@@ -253,7 +253,7 @@ double settled_stress(const MaterialSection& steel, double Q, double strain) {
 // The range of the stress falls, from the first pull on, and settles.
 TEST(CyclicHardening, ASteelThatSoftensUnderCyclesSettles) {
     MaterialSection steel = armstrong_frederick();
-    steel.isotropic = {.law = "voce", .Q = -70.0, .b = 20.0};
+    steel.isotropic = {.law = HardeningLaw::Voce, .Q = -70.0, .b = 20.0};
     constexpr double strain = 0.006;
     for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
         const std::vector<Turns> found = extrapolated_turns(
@@ -293,7 +293,7 @@ TEST(CyclicHardening, StabilisedCyclesOfArmstrongAndFrederick) {
 Eigen::Vector3d chaboche_in_tension_and_shear(int steps) {
     MaterialSection steel = linear_hardening(87.0);
     steel.young = 145200.0;
-    steel.isotropic = {.law = "voce", .Q = 64.0, .b = 2.3};
+    steel.isotropic = {.law = HardeningLaw::Voce, .Q = 64.0, .b = 2.3};
     for (const auto& [limit, gamma] : {std::pair{187.0, 341.0}, {29.0, 17184.0}})
         steel.kinematic.push_back({limit * gamma, gamma, false, (1.0 - 0.57) * limit * gamma, 6.09});
     const auto law = fine::make_material_law(steel, PlaneState::Strain);
@@ -327,7 +327,7 @@ TEST(CyclicHardening, ChabocheInTensionAndShearSsnv101) {
 TEST(CyclicHardening, VoceAndTwoBackStressesThatForget) {
     MaterialSection steel = linear_hardening(318.5);
     steel.young = 179800.0;
-    steel.isotropic = {.law = "voce", .Q = 100.7, .b = 8.0};
+    steel.isotropic = {.law = HardeningLaw::Voce, .Q = 100.7, .b = 8.0};
     steel.kinematic = {{11608.2, 145.2}, {1026.0, 4.7}};
     const auto pulled = [&](PlaneState plane, double strain, int steps) {
         MaterialPoint bar(steel, plane);
@@ -409,7 +409,7 @@ TEST(CyclicHardening, ThresholdsAreBesselingsLayers) {
 TEST(CyclicHardening, AFittedStructuralSteelSaturates) {
     MaterialSection steel = linear_hardening(255.416);
     steel.young = 185115.0;
-    steel.isotropic = {.law = "voce", .Q = 91.727, .b = 9.595};
+    steel.isotropic = {.law = HardeningLaw::Voce, .Q = 91.727, .b = 9.595};
     steel.kinematic = {{1761.99, 3.549}, {17430.5, 157.279}};
     const Turns last = extrapolated_turns(tested(steel, PlaneState::Strain, TestControl::Strain,
                                                  {.cycles = 60, .max = 0.01, .min = -0.01}, 200))

@@ -305,7 +305,7 @@ TEST(InitialStress, BeyondYieldFlowsAtOnce) {
             if (straight)
                 film.isotropic.modulus = H;
             else
-                film.isotropic = {.law = "table", .plastic_strain = {0.0, 1.0}, .stress = {100.0, 100.0 + H}};
+                film.isotropic = {.law = HardeningLaw::Table, .plastic_strain = {0.0, 1.0}, .stress = {100.0, 100.0 + H}};
             input.boundaries = {moved("bottom", {}, 0.0), moved("top", {}, 1.0), moved("point", 0.0, {})};
             input.boundaries[2].at = Vec2(0.0, 0.0);
             input.load = {.steps = 2, .blocks = {{.cycles = 0, .max = -1e-9, .min = 0.0}}};

@@ -127,7 +127,7 @@ Case plate_that_hardens_little(std::vector<Vec2> crack) {
     input.mesh.size = 0.8333;
     input.model.plane = PlaneState::Stress;
     input.material.yield_stress = 183.0;
-    input.material.isotropic = {.law = "power", .n = 11.38, .alpha = 0.7158};
+    input.material.isotropic = {.law = HardeningLaw::Power, .n = 11.38, .alpha = 0.7158};
     input.cracks[0].contact = ContactSection{};
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     input.load.steps = 12;

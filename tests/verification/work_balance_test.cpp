@@ -100,7 +100,7 @@ TEST(WorkBalance, CountsWhatRecallDissipates) {
     Case input = cycled(0.4, 2, 40);
     input.material.kinematic = {{60e3, 400.0, false, 40e3, 20.0}, {10e3, 200.0, true}, {2e3, 0.0}};
     for (const double Q : {60.0, -60.0}) {
-        input.material.isotropic = {.law = "voce", .Q = Q, .b = 20.0};
+        input.material.isotropic = {.law = HardeningLaw::Voce, .Q = Q, .b = 20.0};
         EXPECT_LT(balance_of(input).relative_error(), 1e-3) << Q;
     }
 }

@@ -30,7 +30,8 @@ void CondensedZone::ask(const GammaState& state, const std::function<void()>& me
     request_.check_rest = false;
     meanwhile();
     answer_ = fine_->collect();
-    if (coupling_.state == "newton") (void)fine_->state();  // the user pays for seeing every iterate cross
+    if (coupling_.state == StateCrosses::EachIterate)
+        (void)fine_->state();  // the user pays for seeing every iterate cross
     if (answer_.same_tangent) return;
     tangent_ = std::move(answer_.tangent);
     new_tangent_ = true;
@@ -44,7 +45,7 @@ coupling::StepReport CondensedZone::commit(const coupling::Commit& what) {
     if (!exists()) return {};
     const Stopwatch watch(effort_.exchange_s);
     coupling::StepReport report = fine_->commit(what);
-    if (coupling_.state == "auto")
+    if (coupling_.state == StateCrosses::WhereWanted)
         ++effort_.work.states_not_sent;
     else
         (void)fine_->state();

@@ -95,9 +95,7 @@ void check_growth(const GrowthSection& growth, const Value& table, const Place& 
                  "needs law = \"paris\", \"table\" or \"ctod\"");
     for (const auto& [key, value] : {std::pair("C", growth.C), std::pair("m", growth.m)})
         given.demand(growth.law != GrowthLaw::Table || value == 0.0, key, "belongs to law = \"paris\" or \"ctod\"");
-    const bool by_range =
-        (growth.law == GrowthLaw::Paris || growth.law == GrowthLaw::Table) && growth.driving == GrowthDriving::Range;
-    given.demand(growth.walker == 1.0 || by_range, "walker",
+    given.demand(growth.walker == 1.0 || (is_law_of_dK(growth) && growth.driving == GrowthDriving::Range), "walker",
                  "belongs to law = \"paris\" or \"table\" with driving = \"dK\"");
     given.demand(!growth.threshold || growth.law == GrowthLaw::Paris, "threshold", "belongs to law = \"paris\"");
     for (const auto& [key, values] : {std::pair("ranges", &growth.ranges), std::pair("rates", &growth.rates)})

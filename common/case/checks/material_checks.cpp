@@ -19,18 +19,21 @@ namespace {
 /// The keys of one law of isotropic hardening mean nothing to another, unless they say nothing.
 void check_keys_of_law(const IsotropicHardening& hardening, const Given& given) {
     struct KeyOfLaw {
-        const char *law, *key;
+        HardeningLaw law;
+        const char *word, *key;
         bool says_something;
     };
-    for (const auto& [law, key, says_something] : {KeyOfLaw{"linear", "modulus", hardening.modulus != 0.0},
-                                                   {"voce", "Q", hardening.Q != 0.0},
-                                                   {"voce", "b", hardening.b != 0.0},
-                                                   {"power", "n", hardening.n != 0.0},
-                                                   {"power", "alpha", hardening.alpha != 0.0},
-                                                   {"power", "reference", hardening.reference.has_value()},
-                                                   {"table", "plastic_strain", !hardening.plastic_strain.empty()},
-                                                   {"table", "stress", !hardening.stress.empty()}})
-        given.demand(!says_something || hardening.law == law, key, fmt::format("belongs to law = \"{}\"", law));
+    using enum HardeningLaw;
+    for (const auto& [law, word, key, says_something] :
+         {KeyOfLaw{Linear, "linear", "modulus", hardening.modulus != 0.0},
+          {Voce, "voce", "Q", hardening.Q != 0.0},
+          {Voce, "voce", "b", hardening.b != 0.0},
+          {Power, "power", "n", hardening.n != 0.0},
+          {Power, "power", "alpha", hardening.alpha != 0.0},
+          {Power, "power", "reference", hardening.reference.has_value()},
+          {Table, "table", "plastic_strain", !hardening.plastic_strain.empty()},
+          {Table, "table", "stress", !hardening.stress.empty()}})
+        given.demand(!says_something || hardening.law == law, key, fmt::format("belongs to law = \"{}\"", word));
 }
 
 /// A back stress that never recovers has no limit. Where its modulus falls the energy that it holds grows: recall must
@@ -94,10 +97,10 @@ void check_hardening(const MaterialSection& material, const Value& table, const 
     if (!given.has("isotropic")) return;
     const Given isotropic = given.inside("isotropic");
     check_keys_of_law(material.isotropic, isotropic);
-    const std::string& law = material.isotropic.law;
-    if (law == "voce") check_voce(material, isotropic);
-    if (law == "power") check_power(material, isotropic);
-    if (law == "table") check_table(material, isotropic);
+    const HardeningLaw law = material.isotropic.law;
+    if (law == HardeningLaw::Voce) check_voce(material, isotropic);
+    if (law == HardeningLaw::Power) check_power(material, isotropic);
+    if (law == HardeningLaw::Table) check_table(material, isotropic);
 }
 
 void check_material_test(const MaterialTestSection& test, const Value& table, const Place& place) {

@@ -116,9 +116,10 @@ Section<MeshSection> mesh_section() {
 namespace {
 
 Section<IsotropicHardening> isotropic_section() {
+    using enum HardeningLaw;
     Section<IsotropicHardening> s;
-    s.value("law", &IsotropicHardening::law)
-        .one_of({"linear", "voce", "power", "table"})
+    s.choice<HardeningLaw>("law", &IsotropicHardening::law,
+                           {{"linear", Linear}, {"voce", Voce}, {"power", Power}, {"table", Table}})
         .says("Isotropic hardening: what R(p) adds to the yield stress. linear: modulus p. voce: Q (1 - exp(-b p)). "
               "power: Ramberg and Osgood's p = alpha reference / E (sigma / reference)^n, less p at the yield stress. "
               "table: straight lines.");

@@ -17,8 +17,10 @@ Section<SolverSection> solver_section() {
 
 Section<CouplingSection> coupling_section() {
     Section<CouplingSection> s;
-    s.value("state", &CouplingSection::state)
-        .one_of({"auto", "increment", "newton"})
+    s.choice<StateCrosses>("state", &CouplingSection::state,
+                           {{"auto", StateCrosses::WhereWanted},
+                            {"increment", StateCrosses::EachIncrement},
+                            {"newton", StateCrosses::EachIterate}})
         .says("When full internal-variable states cross: at commits that need them, at every increment or Newton "
               "iteration.");
     return s;
@@ -87,7 +89,9 @@ Section<OutputSection> output_section() {
         .says(
             "Increments in history.csv: all, or extremes of the load and what growth releases. What is not written is "
             "not computed.");
-    s.value("format", &OutputSection::format).one_of({"vtkhdf", "vtu"}).says("Format of the field files.");
+    s.choice<FieldFormat>("format", &OutputSection::format,
+                          {{"vtkhdf", FieldFormat::VtkHdf}, {"vtu", FieldFormat::Vtu}})
+        .says("Format of the field files.");
     s.value("checkpoint_every", &OutputSection::checkpoint_every)
         .in("cycles")
         .at_least(0)

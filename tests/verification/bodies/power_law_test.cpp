@@ -45,7 +45,7 @@ Case power_law_specimen(double n, double at_tip, double load) {
     input.mesh.grading = {
         {.at = {input.cracks[0].points[1]}, .size = h, .outer_size = h, .radius = 2.0 * h, .growth = 10.0 / at_tip}};
     input.material.yield_stress = (n < 4.0 ? 0.1 : 0.3) * sigma_0;
-    input.material.isotropic = {.law = "power", .n = n, .alpha = 1.0, .reference = sigma_0};
+    input.material.isotropic = {.law = HardeningLaw::Power, .n = n, .alpha = 1.0, .reference = sigma_0};
     input.fine.radius = 10.0;
     input.load = {.steps = 48, .blocks = {{.cycles = 0, .max = load, .min = 0.0}}};
     return input;

@@ -33,7 +33,7 @@ Case square_of(const Hrr& hrr) {
     input.material = {.young = elastic_modulus,
                       .poisson = 0.3,
                       .yield_stress = 0.1 * reference_stress,
-                      .isotropic = {.law = "power", .n = hrr.n, .alpha = 1.0, .reference = reference_stress},
+                      .isotropic = {.law = HardeningLaw::Power, .n = hrr.n, .alpha = 1.0, .reference = reference_stress},
                       .kinematic = {}};
     input.cracks = {{.points = {{-0.5, 0.0}, {0.0, 0.0}}, .contact = {}}};
     input.fine.radius = 0.4;

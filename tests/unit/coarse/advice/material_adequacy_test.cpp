@@ -37,7 +37,7 @@ TEST(MaterialAdequacy, AsksForTheUnitsOfOthers) {
 
 TEST(MaterialAdequacy, NamesAMetalThatSoftensByMoreThanItHardens) {
     Case input = metal(200e3, 300.0);
-    input.material.isotropic = {.law = "voce", .Q = -100.0, .b = 20.0};
+    input.material.isotropic = {.law = HardeningLaw::Voce, .Q = -100.0, .b = 20.0};
     EXPECT_TRUE(warning_of(input).starts_with("material: at a plastic strain of 1e-05 it softens by more than it "
                                               "hardens, by 2e+03 MPa: "))
         << warning_of(input);

@@ -11,7 +11,7 @@ TEST(TipEnrichment, ThePowerOfTheFunctionsIsThatOfTheMaterial) {
     Case input;
     input.material.yield_stress = 300.0;
     EXPECT_EQ(choose_enrichment(input).exponent, 0.5);
-    input.material.isotropic = {.law = "power", .n = 4.0, .alpha = 1.0};
+    input.material.isotropic = {.law = HardeningLaw::Power, .n = 4.0, .alpha = 1.0};
     EXPECT_EQ(choose_enrichment(input).functions, 1);
     EXPECT_EQ(choose_enrichment(input).exponent, 0.2);
     input.material.kinematic.push_back({.C = 1000.0});

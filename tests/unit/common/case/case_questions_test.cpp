@@ -28,6 +28,7 @@ TEST(CaseQuestions, LawsThatOpeningsDrive) {
             const bool of_range = law == GrowthLaw::Paris || law == GrowthLaw::Table;
             const bool by_loads = of_range && driving == GrowthDriving::EffectiveRange;
             EXPECT_EQ(is_prescribed(growth), law == GrowthLaw::Prescribed);
+            EXPECT_EQ(is_law_of_dK(growth), of_range);
             EXPECT_EQ(grows_by_opening_loads(growth), by_loads);
             EXPECT_EQ(grows_by_openings(growth), by_loads || law == GrowthLaw::Ctod);
         }

@@ -9,11 +9,11 @@ MaterialSection with(IsotropicHardening isotropic) {
     return {.young = 200e3, .poisson = 0.3, .yield_stress = 300.0, .isotropic = std::move(isotropic), .kinematic = {}};
 }
 
-const HardeningCurve power = with({.law = "power", .n = 6.0, .alpha = 0.7, .reference = 350.0});
+const HardeningCurve power = with({.law = HardeningLaw::Power, .n = 6.0, .alpha = 0.7, .reference = 350.0});
 const HardeningCurve lines =
-    with({.law = "table", .plastic_strain = {0.0, 0.01, 0.04}, .stress = {300.0, 330.0, 340.0}});
-const std::vector<HardeningCurve> curves{with({.law = "linear", .modulus = 1500.0}),
-                                         with({.law = "voce", .Q = 90.0, .b = 12.0}), power, lines};
+    with({.law = HardeningLaw::Table, .plastic_strain = {0.0, 0.01, 0.04}, .stress = {300.0, 330.0, 340.0}});
+const std::vector<HardeningCurve> curves{with({.law = HardeningLaw::Linear, .modulus = 1500.0}),
+                                         with({.law = HardeningLaw::Voce, .Q = 90.0, .b = 12.0}), power, lines};
 
 TEST(HardeningCurve, StartsAtNothing) {
     for (const HardeningCurve& curve : curves) {
