@@ -32,6 +32,8 @@ public:
     [[nodiscard]] int size() const { return static_cast<int>(flags_.size()); }
 
     [[nodiscard]] bool contains(std::integral auto id) const { return flags_[at(id)] != 0; }
+    /// The same of any id: one that the set does not count is not in it.
+    [[nodiscard]] bool holds(std::integral auto id) const { return at(id) < flags_.size() && contains(id); }
     void insert(std::integral auto id) { flags_[at(id)] = 1; }
     void erase(std::integral auto id) { flags_[at(id)] = 0; }
 
@@ -79,6 +81,11 @@ template <class Kind, class Visit> void for_each_run(const IndexSet<Kind>& set, 
         if (end > begin) visit(begin, end);
         begin = end + 1;
     }
+}
+
+/// Some of the ids are in a set, of this type or of the library's.
+[[nodiscard]] bool contains_any(const auto& set, const auto& ids) {
+    return std::ranges::any_of(ids, [&](int id) { return set.contains(id); });
 }
 
 using ElementSet = IndexSet<struct ElementKind>;

@@ -22,7 +22,7 @@ NodeSet nodes_about(const EnrichedMesh& mesh, const UnknownSet& unknowns) {
     for (int node = 0; node < nodes.size(); ++node)
         if (has_some(node)) nodes.insert(node);
     for (const TiedNode& tie : mesh.tied)  // their ends are not tied
-        if (nodes.contains(tie.ends[0]) || nodes.contains(tie.ends[1])) nodes.insert(tie.node);
+        if (contains_any(nodes, tie.ends)) nodes.insert(tie.node);
     return nodes;
 }
 
@@ -30,11 +30,10 @@ NodeSet nodes_about(const EnrichedMesh& mesh, const UnknownSet& unknowns) {
 
 CoarseElements::CoarseElements(const Scene& scene, ElementSet in_zone, const StillElements& still)
     : all_(scene), in_zone_(std::move(in_zone)) {
-    const auto is_in = [](const ElementSet& set, int element) { return set.size() > 0 && set.contains(element); };
     for (int e = 0; e < in_zone_.size(); ++e) {
-        if (in_zone_.contains(e) || is_in(still.far, e)) continue;
+        if (in_zone_.contains(e) || still.far.holds(e)) continue;
         near_.push_back(e);
-        if (!is_in(still.middle, e) && !is_in(still.behind, e)) core_.push_back(e);
+        if (!still.middle.holds(e) && !still.behind.holds(e)) core_.push_back(e);
     }
     make_enriched_operators();
     keep_plain_operators();
@@ -61,15 +60,12 @@ void CoarseElements::keep_plain_operators() {
 }
 
 void CoarseElements::find_supported() {
-    UnknownSet prescribed(scene().enriched.unknowns);
-    for (const PrescribedUnknown& p : scene().prescribed) prescribed.insert(p.unknown);
-    const auto is_held = [&](int unknown) { return prescribed.contains(unknown); };
+    const UnknownSet prescribed = prescribed_among(scene().enriched.unknowns, scene().prescribed);
     const NodeSet nodes = nodes_about(scene().enriched, prescribed);
-    const auto is_about = [&](int node) { return nodes.contains(node); };
     for (int e = 0; e < in_zone_.size(); ++e) {
-        if (in_zone_.contains(e) || std::ranges::none_of(scene().enriched.elements[at(e)], is_about)) continue;
+        if (in_zone_.contains(e) || !contains_any(nodes, scene().enriched.elements[at(e)])) continue;
         visit_unknowns(e, [&](int, std::span<const int> unknowns) {
-            if (std::ranges::any_of(unknowns, is_held)) supported_.push_back(e);
+            if (contains_any(prescribed, unknowns)) supported_.push_back(e);
         });
     }
 }

@@ -70,8 +70,7 @@ ElementSet near_about(const Scene& scene, const ElementSet& in_zone, const NodeS
     ElementSet near(in_zone.size());
     for (int e = 0; e < in_zone.size(); ++e) {
         if (in_zone.contains(e)) continue;
-        const bool close = std::ranges::any_of(mesh.elements[at(e)], [&](int node) { return nodes.contains(node); });
-        if (close || !is_plain_in_both(scene, e)) near.insert(e);
+        if (contains_any(nodes, mesh.elements[at(e)]) || !is_plain_in_both(scene, e)) near.insert(e);
     }
     return near;
 }
@@ -88,9 +87,8 @@ ElementSet plain_beside(const Scene& scene, const ElementSet& in_zone, const Ele
     const EnrichedMesh& mesh = scene.enriched;
     ElementSet middle(in_zone.size());
     for (int e = 0; e < in_zone.size(); ++e) {
-        if (in_zone.contains(e) || (far.size() > 0 && far.contains(e)) || !is_plain_in_both(scene, e)) continue;
-        if (std::ranges::none_of(mesh.elements[at(e)], [&](int node) { return nodes.contains(node); }))
-            middle.insert(e);
+        if (in_zone.contains(e) || far.holds(e) || !is_plain_in_both(scene, e)) continue;
+        if (!contains_any(nodes, mesh.elements[at(e)])) middle.insert(e);
     }
     return middle;
 }
@@ -120,32 +118,26 @@ Neighbourhood about_way(const Scene& scene, int tip, int steps) {
     return {elements_beside * edge, steps * scene.input.growth->increment.value_or(edge)};
 }
 
-bool is_of_a_tip(const Term& term) { return term.kind != Term::Kind::Heaviside; }
-
 /// Nodes of elements that a split of these changes, and of those beside them: what hangs on an edge may become free.
 NodeSet nodes_about_splits(const EnrichedMesh& mesh, const ElementSet& split) {
     const NodeSet corners = nodes_of(mesh, split);
     NodeSet changing = corners;
     for (const TiedNode& tie : mesh.tied)
-        if (std::ranges::any_of(tie.ends, [&](int end) { return corners.contains(end); })) changing.insert(tie.node);
+        if (contains_any(corners, tie.ends)) changing.insert(tie.node);
     NodeSet about(mesh.nodes.size());
     if (changing.none()) return about;
     for (const auto& nodes : mesh.elements)
-        if (std::ranges::any_of(nodes, [&](int node) { return changing.contains(node); }))
+        if (contains_any(changing, nodes))
             for (const int node : nodes) about.insert(node);
     return about;
 }
 
-bool is_in(const ElementSet& set, int element) { return set.size() > 0 && set.contains(element); }
-
 /// Elements that are not still otherwise, have nothing to do with these nodes, and see no tip's functions.
 ElementSet others_without_tips(const EnrichedMesh& mesh, const StillElements& still, const NodeSet& nodes) {
     ElementSet others(mesh.elements.size());
-    const auto changes = [&](int node) {
-        return nodes.contains(node) || std::ranges::any_of(mesh.terms[at(node)], is_of_a_tip);
-    };
+    const auto changes = [&](int node) { return nodes.contains(node) || mesh.has_tip_functions(node); };
     for (int e = 0; e < others.size(); ++e)
-        if (!is_in(still.far, e) && !is_in(still.middle, e) && std::ranges::none_of(mesh.elements[at(e)], changes))
+        if (!still.far.holds(e) && !still.middle.holds(e) && std::ranges::none_of(mesh.elements[at(e)], changes))
             others.insert(e);
     return others;
 }
@@ -157,7 +149,7 @@ bool spares_work(const EnrichedMesh& mesh, const StillElements& still, const Ele
     const NodeSet inside = nodes_of(mesh, behind);
     NodeSet of_core(mesh.nodes.size());
     for (int e = 0; e < behind.size(); ++e)
-        if (!behind.contains(e) && !is_in(still.far, e) && !is_in(still.middle, e))
+        if (!behind.contains(e) && !still.far.holds(e) && !still.middle.holds(e))
             for (const int node : mesh.elements[at(e)]) of_core.insert(node);
     int rim = 0;
     for (int node = 0; node < inside.size(); ++node) rim += inside.contains(node) && of_core.contains(node) ? 1 : 0;

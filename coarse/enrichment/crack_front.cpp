@@ -16,6 +16,7 @@
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -208,7 +209,7 @@ double lag(const Mesh& mesh, std::span<const CrackPiece> pieces) {
     double taken = 0.0;
     for (const CrackPiece& piece : pieces | std::views::reverse) {
         const auto& nodes = mesh.elements[at(piece.element)];
-        if (std::ranges::none_of(nodes, [&](int node) { return closed.contains(node); })) break;
+        if (!contains_any(closed, nodes)) break;
         for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
             const Vec2 middle = 0.5 * (piece.points[k] + piece.points[k + 1]), half = piece.points[k + 1] - middle;
             for (const auto& [xi, weight] : gauss_line(2)) {

@@ -189,10 +189,9 @@ void CrackSides::put_behind_tip(const Tip& tip, const std::map<int, int>& nodes,
                                 std::vector<signed char>& sides) const {
     NodeSet with_functions(mesh_.nodes.size());
     for (const auto& [node, side] : nodes) with_functions.insert(node);
-    const auto has_functions = [&](int node) { return with_functions.contains(node); };
     for (int element = 0; element < std::ssize(mesh_.elements); ++element) {
         signed char& known = sides[at(element)];
-        if (known != 0 || cut_.contains(element) || std::ranges::none_of(mesh_.elements[at(element)], has_functions) ||
+        if (known != 0 || cut_.contains(element) || !contains_any(with_functions, mesh_.elements[at(element)]) ||
             known_sides(element).size() > 1)
             continue;
         const int side = of_place(centre(mesh_, element));

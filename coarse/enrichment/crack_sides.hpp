@@ -20,7 +20,6 @@ public:
 
     /// +1 or -1 for each node of an element that the crack cuts, and for each node on the crack: those count as +1.
     [[nodiscard]] const std::map<int, int>& of_nodes() const { return of_nodes_; }
-    [[nodiscard]] const std::set<int>& nodes_on_crack() const { return on_crack_; }
     /// Of these, and of what hangs on an edge of an element that the crack cuts or ends in.
     [[nodiscard]] const std::map<int, int>& of_hanging_too() const { return of_hanging_too_; }
 

@@ -6,6 +6,7 @@
 
 #include "coarse/enrichment/tip_support.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -48,9 +49,7 @@ void require_behind(const Mesh& mesh, const CrackPath& path, const Tip& tip) {
         return (x - tip.position).dot(tip.direction) > 1e-9 * (x - tip.position).norm();
     };
     const auto hooks = [&](const CrackPiece& other) {
-        const auto& nodes = mesh.elements[at(other.element)];
-        return std::ranges::any_of(nodes, [&](int node) { return holders.contains(node); }) &&
-               std::ranges::any_of(other.points, is_ahead);
+        return contains_any(holders, mesh.elements[at(other.element)]) && std::ranges::any_of(other.points, is_ahead);
     };
     if (into.dot(tip.direction) >= 0.0 && std::ranges::none_of(path.pieces, hooks)) return;
     throw CrackOffMesh(fmt::format("crack {}: it turns by more than 90 degrees within two elements of its tip at "

@@ -18,6 +18,7 @@
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -164,7 +165,7 @@ private:
                                               const CrackSides& sides) const {
         std::map<int, int> side_of;
         for (const HangingNode& hanging : mesh_.hanging)  // what hangs follows
-            if (nodes.contains(hanging.ends[0]) || nodes.contains(hanging.ends[1])) side_of[hanging.node] = 0;
+            if (contains_any(nodes, hanging.ends)) side_of[hanging.node] = 0;
         for (const int node : nodes) side_of[node] = 0;
         const std::set<int> about_tip = tip_nodes(mesh_, piece);
         for (auto& [node, side] : side_of) {

@@ -10,6 +10,7 @@
 #include "common/fem/centre.hpp"
 #include "common/fem/chord.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -21,8 +22,7 @@ constexpr double least_radius = 1.15;
 void add_elements_about(const Mesh& mesh, std::set<int>& nodes) {
     const std::set<int> within = nodes;
     for (const std::array<int, 4>& corners : mesh.elements)
-        if (std::ranges::any_of(corners, [&](int node) { return within.contains(node); }))
-            nodes.insert(corners.begin(), corners.end());
+        if (contains_any(within, corners)) nodes.insert(corners.begin(), corners.end());
     add_ends_of_edges(mesh, nodes);
 }
 
@@ -30,7 +30,7 @@ void add_elements_about(const Mesh& mesh, std::set<int>& nodes) {
 std::set<int> with_what_hangs(const Mesh& mesh, std::set<int> nodes) {
     std::set<int> hanging;
     for (const HangingNode& h : mesh.hanging)
-        if (nodes.contains(h.ends[0]) || nodes.contains(h.ends[1])) hanging.insert(h.node);
+        if (contains_any(nodes, h.ends)) hanging.insert(h.node);
     nodes.merge(hanging);
     return nodes;
 }
@@ -39,8 +39,7 @@ std::set<int> with_what_hangs(const Mesh& mesh, std::set<int> nodes) {
 bool meet(const Mesh& mesh, const std::set<int>& nodes, const std::set<int>& others) {
     const std::set<int> seen = with_what_hangs(mesh, nodes);
     return std::ranges::any_of(mesh.elements, [&](const std::array<int, 4>& corners) {
-        return std::ranges::any_of(corners, [&](int node) { return seen.contains(node); }) &&
-               std::ranges::any_of(corners, [&](int node) { return others.contains(node); });
+        return contains_any(seen, corners) && contains_any(others, corners);
     });
 }
 
@@ -63,8 +62,7 @@ TipNodes clear_of_others(const Mesh& mesh, const std::set<int>& nodes, const Tip
                          const std::set<int>& others) {
     std::set<int> beside;
     for (const std::array<int, 4>& corners : mesh.elements)
-        if (std::ranges::any_of(corners, [&](int node) { return others.contains(node); }))
-            beside.insert(corners.begin(), corners.end());
+        if (contains_any(others, corners)) beside.insert(corners.begin(), corners.end());
     add_ends_of_edges(mesh, beside);
     TipNodes clear{own.nodes, false};
     std::ranges::set_difference(nodes, beside, std::inserter(clear.nodes, clear.nodes.end()));

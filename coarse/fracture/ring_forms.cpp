@@ -105,7 +105,7 @@ private:
 std::vector<int> near_elements(const CoarseElements& elements, const ElementSet& set, bool inside) {
     std::vector<int> found;
     std::ranges::copy_if(elements.near(), std::back_inserter(found),
-                         [&](int element) { return (set.size() > 0 && set.contains(element)) == inside; });
+                         [&](int element) { return set.holds(element) == inside; });
     return found;
 }
 

@@ -28,8 +28,7 @@ ForcesOnUnknowns::ForcesOnUnknowns(const Mesh& mesh, const EnrichedMesh& enriche
     : mesh_(mesh), enriched_(enriched), piece_of_elements_(piece_of_elements(enriched)) {}
 
 void ForcesOnUnknowns::add(const EdgeLoad& load, Eigen::VectorXd& force) const {
-    const int p = piece_of_elements_[at(load.edge.element)];
-    const CrackPiece* piece = p >= 0 ? &enriched_.pieces[at(p)] : nullptr;
+    const CrackPiece* piece = enriched_.piece(piece_of_elements_[at(load.edge.element)]);
     const EdgeGeometry edge = edge_geometry(mesh_, load.edge);
     const ElementBasis basis(enriched_, load.edge.element, piece != nullptr);
     const std::vector<double> breaks = edge_breaks(piece, load.edge.edge);

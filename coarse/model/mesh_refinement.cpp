@@ -56,7 +56,7 @@ ElementSet held_whole(const Mesh& mesh, const std::vector<std::vector<int>>& lar
         if (!larger[at(e)].empty()) by_size.push_back(e);
     std::ranges::stable_sort(by_size, {}, [&](int e) { return mesh.level[at(e)]; });
     for (const int e : by_size)
-        if (std::ranges::any_of(larger[at(e)], [&](int other) { return never.contains(other); })) never.insert(e);
+        if (contains_any(never, larger[at(e)])) never.insert(e);
     return never;
 }
 

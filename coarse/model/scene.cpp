@@ -46,9 +46,7 @@ UnknownSet observed_unknowns(const Scene& scene) {
 }
 
 bool sees_tip_functions(const EnrichedMesh& mesh, int element) {
-    const auto is_of_tip = [](const Term& term) { return term.kind != Term::Kind::Heaviside; };
-    return std::ranges::any_of(mesh.elements[at(element)],
-                               [&](int node) { return std::ranges::any_of(mesh.terms[at(node)], is_of_tip); });
+    return std::ranges::any_of(mesh.elements[at(element)], [&](int node) { return mesh.has_tip_functions(node); });
 }
 
 /// Null where the nominal body has the functions of the scene, or its own ones find no room on the mesh.

@@ -34,13 +34,9 @@ struct Scene {
     /// Standard unknowns of the nodes where loads are applied or reported.
     UnknownSet observed;
 
-    /// Weights on all unknowns: their product with u is the mean displacement of the loaded boundary along its
-    /// direction. Zero where no boundary is loaded.
-    Eigen::VectorXd mean_displacement;
-
-    /// Per prescribed unknown, the share of its reaction in the force reported. Zero where forces load the boundary
-    /// reported.
-    Eigen::VectorXd pull;
+    // What a testing machine reads (machine_weights.hpp).
+    Eigen::VectorXd mean_displacement;  // of the loaded boundary: weights_of_displacement()
+    Eigen::VectorXd pull;               // likewise: weights_of_reactions()
 
     /// The material of an element, or at a tip.
     [[nodiscard]] const Elasticity& elastic(int element) const { return materials.elastic(mesh.material_of(element)); }

@@ -90,6 +90,12 @@ void move_in_case(std::vector<PrescribedUnknown>& prescribed, const EnrichedMesh
 
 }  // namespace
 
+UnknownSet prescribed_among(int unknowns, const std::vector<PrescribedUnknown>& prescribed) {
+    UnknownSet set(unknowns);
+    for (const PrescribedUnknown& p : prescribed) set.insert(p.unknown);
+    return set;
+}
+
 void impose(const std::vector<PrescribedUnknown>& prescribed, const LoadFactors& factors, Eigen::VectorXd& u) {
     for (const PrescribedUnknown& p : prescribed) u[p.unknown] = p.under(factors);
 }

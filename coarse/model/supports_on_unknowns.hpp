@@ -11,6 +11,7 @@
 #include "coarse/model/rigid_motions.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 
@@ -26,6 +27,9 @@ struct PrescribedUnknown {
         return sum;
     }
 };
+
+/// Those that are prescribed, of so many unknowns.
+[[nodiscard]] UnknownSet prescribed_among(int unknowns, const std::vector<PrescribedUnknown>& prescribed);
 
 /// Overwrites the prescribed ones among the unknowns `u` of the whole mesh, mm.
 void impose(const std::vector<PrescribedUnknown>& prescribed, const LoadFactors& factors, Eigen::VectorXd& u);

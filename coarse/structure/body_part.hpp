@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool is_of(const ElementSet& elements, const BodyPart* below) const;
 
     /// Of its own elements, and of these or those of the parts below.
-    [[nodiscard]] bool contains(int element) const { return element < elements_.size() && elements_.contains(element); }
+    [[nodiscard]] bool contains(int element) const { return elements_.holds(element); }
 
     [[nodiscard]] bool holds(int element) const { return contains(element) || (below_ && below_->holds(element)); }
 

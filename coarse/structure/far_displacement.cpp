@@ -4,9 +4,7 @@
 
 namespace stria::coarse {
 
-bool FarDisplacement::is_of_some(const ElementSet& elements) const {
-    return std::ranges::any_of(elements.members(), [&](int element) { return far_->contains(element); });
-}
+bool FarDisplacement::is_of_some(const ElementSet& elements) const { return contains_any(*far_, elements.members()); }
 
 void FarDisplacement::put(const std::vector<int>& unknowns, Eigen::VectorXd& u) const {
     const Eigen::VectorXd inside = far_->expand({load_, {}}, rim_);

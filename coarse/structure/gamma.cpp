@@ -28,8 +28,8 @@ NodeSet nodes_that_may_share(const EnrichedMesh& mesh, const ElementSet& in_zone
 std::vector<int> gamma_of(const Scene& scene, const ElementSet& in_zone) {
     if (in_zone.none()) return {};
     const EnrichedMesh& mesh = scene.enriched;
-    UnknownSet coarse(mesh.unknowns), fine = coarse, prescribed = coarse;
-    for (const PrescribedUnknown& p : scene.prescribed) prescribed.insert(p.unknown);
+    UnknownSet coarse(mesh.unknowns), fine = coarse;
+    const UnknownSet prescribed = prescribed_among(mesh.unknowns, scene.prescribed);
     bool moves = false;  // an unknown of the structure, or one that is reported
     const auto mark = [&](const auto& seen, UnknownSet& side) {
         for (const int unknown : seen) {
@@ -41,8 +41,7 @@ std::vector<int> gamma_of(const Scene& scene, const ElementSet& in_zone) {
     const std::vector<int> piece = piece_of_elements(mesh);
     const NodeSet may_share = nodes_that_may_share(mesh, in_zone);
     for (int e = 0; e < in_zone.size(); ++e) {
-        const auto shares = [&](int node) { return may_share.contains(node); };
-        if (moves && std::ranges::none_of(mesh.elements[at(e)], shares)) continue;
+        if (moves && !contains_any(may_share, mesh.elements[at(e)])) continue;
         UnknownSet& side = in_zone.contains(e) ? fine : coarse;
         if (is_plain(mesh, e) && piece[at(e)] < 0)
             mark(plain_unknowns(mesh, e), side);

@@ -12,8 +12,8 @@ namespace stria::coarse {
 LeafNumbering::LeafNumbering(const CoarseElements& elements, const Parts& parts)
     : gamma_(gamma_of(elements.scene(), elements.in_zone())), index_(at(elements.scene().enriched.unknowns), -1) {
     const Scene& scene = elements.scene();
-    UnknownSet own(scene.enriched.unknowns), prescribed = own;
-    for (const PrescribedUnknown& p : scene.prescribed) prescribed.insert(p.unknown);
+    UnknownSet own(scene.enriched.unknowns);
+    const UnknownSet prescribed = prescribed_among(scene.enriched.unknowns, scene.prescribed);
     elements.for_each_unknowns(elements.core(), [&](int, std::span<const int> unknowns) {
         for (const int unknown : unknowns) own.insert(unknown);
     });

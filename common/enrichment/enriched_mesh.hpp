@@ -79,6 +79,14 @@ struct EnrichedMesh {
 
     [[nodiscard]] int material_of(int element) const { return material.empty() ? 0 : material[at(element)]; }
 
+    /// Some function of a tip, or of one that has moved on, has an amplitude at a node.
+    [[nodiscard]] bool has_tip_functions(int node) const {
+        return std::ranges::any_of(terms[at(node)], [](const Term& t) { return t.kind != Term::Kind::Heaviside; });
+    }
+
+    /// Of an index that piece_of_elements() gives; null for -1.
+    [[nodiscard]] const CrackPiece* piece(int index) const { return index >= 0 ? &pieces[at(index)] : nullptr; }
+
     /// Null where the node is not tied. Hanging nodes come last in a mesh: most others are told at once.
     [[nodiscard]] const TiedNode* tie(int node) const {
         if (tied.empty() || node < tied.front().node) return nullptr;

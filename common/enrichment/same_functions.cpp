@@ -20,6 +20,10 @@ bool same_piece(const CrackPiece& a, const CrackPiece& b) {
 
 }  // namespace
 
+bool same_jumps(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
+    return !mesh.has_tip_functions(node) && same_terms(mesh.terms[at(node)], other.terms[at(other_node)]);
+}
+
 bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other) {
     const auto plain = [](const EnrichedMesh& m) { return m.tip_functions == 0 && m.left_tips.empty(); };
     const auto same_end = [](const Tip& a, const Tip& b) { return a.crack == b.crack && a.upper == b.upper; };
@@ -52,13 +56,12 @@ bool same_functions(const EnrichedMesh& mesh, const EnrichedMesh& other, const E
     };
     const std::vector<int> piece = piece_of_elements(mesh), other_piece = piece_of_elements(other);
     const auto same_cut = [&](int e) {
-        const int a = piece[at(e)], b = other_piece[at(e)];
-        return a < 0 || b < 0 ? a == b : same_piece(mesh.pieces[at(a)], other.pieces[at(b)]);
+        const CrackPiece *const a = mesh.piece(piece[at(e)]), *const b = other.piece(other_piece[at(e)]);
+        return a == nullptr || b == nullptr ? a == b : same_piece(*a, *b);
     };
-    const auto inside = [&](int node) { return nodes.contains(node); };
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         const auto& corners = mesh.elements[at(e)];
-        if (std::ranges::none_of(corners, inside)) continue;
+        if (!contains_any(nodes, corners)) continue;
         if (corners != other.elements[at(e)] || !std::ranges::all_of(corners, same_node) || !same_cut(e) ||
             mesh.element_side[at(e)] != other.element_side[at(e)])
             return false;

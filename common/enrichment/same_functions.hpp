@@ -6,6 +6,9 @@
 
 namespace stria {
 
+/// Of a node of each mesh: the same jumps, and no function of a tip.
+[[nodiscard]] bool same_jumps(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node);
+
 /// The same elements with the same functions, whatever the places of the tips and the arc lengths: none of the
 /// functions is a tip's.
 [[nodiscard]] bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other);

@@ -6,6 +6,7 @@
 #include <unsupported/Eigen/BVH>
 #include <utility>
 
+#include "common/enrichment/same_functions.hpp"
 #include "common/fem/centre.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/points_by_place.hpp"
@@ -66,11 +67,7 @@ private:
 
 /// Whether two nodes have the same functions: none that follow others, and at most one jump.
 bool have_same_functions(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
-    const auto &terms = mesh.terms[at(node)], &others = other.terms[at(other_node)];
-    const auto same = [](const Term& a, const Term& b) {
-        return a.kind == Term::Kind::Heaviside && a.same_function(b) && a.shift == b.shift;
-    };
-    return terms.size() < 2 && std::ranges::equal(terms, others, same) && mesh.tie(node) == nullptr &&
+    return mesh.terms[at(node)].size() < 2 && same_jumps(mesh, node, other, other_node) && mesh.tie(node) == nullptr &&
            other.tie(other_node) == nullptr;
 }
 
@@ -82,8 +79,7 @@ public:
 
     const ElementField& of(int element) {
         std::optional<ElementField>& field = fields_[at(element)];
-        const int p = piece_[at(element)];
-        if (!field) field.emplace(mesh_, element, p >= 0 ? &mesh_.pieces[at(p)] : nullptr);
+        if (!field) field.emplace(mesh_, element, mesh_.piece(piece_[at(element)]));
         return *field;
     }
 
@@ -96,9 +92,7 @@ public:
             return has_terms(node) || (tie != nullptr && std::ranges::any_of(tie->ends, has_terms));
         };
         if (piece_[at(element)] >= 0 || std::ranges::any_of(nodes, jumps)) return std::nullopt;
-        QuadNodes corners;
-        for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh_.nodes[at(nodes[k])];
-        const Eigen::Vector4d value = shape_values(map_to_parent(corners, x));
+        const Eigen::Vector4d value = shape_values(map_to_parent(corners_of_element(mesh_, element), x));
         Shares shares;
         for (std::size_t k = 0; k < 4; ++k) {
             const double weight = value[static_cast<Eigen::Index>(k)];

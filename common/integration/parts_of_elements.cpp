@@ -37,8 +37,7 @@ private:
         for (const int node : to_.elements[at(element)]) {
             if (!wanted(known_.contains(node) ? &fields_.at(node) : nullptr)) continue;
             known_.insert(node);
-            const int p = piece_[at(before)];
-            if (!field) field.emplace(from_, before, p >= 0 ? &from_.pieces[at(p)] : nullptr);
+            if (!field) field.emplace(from_, before, from_.piece(piece_[at(before)]));
             fields_.try_emplace(node, to_.nodes[at(node)], to_.terms[at(node)]).first->second.add(*field);
         }
     }

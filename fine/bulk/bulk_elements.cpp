@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/enrichment/same_functions.hpp"
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
 #include "common/integration/moment_fit.hpp"
@@ -19,13 +20,6 @@ bool lies_ahead_of_a_tip(const EnrichedMesh& mesh, int element) {
         const Vec2 from_tip = centre(mesh, element) - tip.position;
         const double ahead = from_tip.dot(tip.direction);
         return ahead > -behind * size && (from_tip - ahead * tip.direction).norm() < beside * size;
-    });
-}
-
-/// Of two nodes, and no tip functions.
-bool same_jumps(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
-    return std::ranges::equal(mesh.terms[at(node)], other.terms[at(other_node)], [](const Term& a, const Term& b) {
-        return a.kind == Term::Kind::Heaviside && a.same_function(b) && a.shift == b.shift;
     });
 }
 
@@ -83,10 +77,7 @@ void BulkElements::take_over(BulkElements& old, int own, int element, std::span<
     was_[at(element)] = own;
 }
 
-const CrackPiece* BulkElements::cut_of(int element) const {
-    const int piece = piece_[at(element)];
-    return piece >= 0 ? &mesh_.pieces[at(piece)] : nullptr;
-}
+const CrackPiece* BulkElements::cut_of(int element) const { return mesh_.piece(piece_[at(element)]); }
 
 bool BulkElements::stays(const BulkElements& later, int element, int own) const {
     const CrackPiece *before = cut_of(own), *now = later.cut_of(element);
@@ -116,8 +107,8 @@ std::optional<std::vector<IntegrationPoint>> BulkElements::points_kept(const Enr
     const std::optional<int> own = find(later, element);
     if (!own) return std::nullopt;
     std::vector<IntegrationPoint> points = op(*own).points;
-    const int old_piece = piece_[at(*own)];
-    if (cut == nullptr || (old_piece >= 0 && mesh_.pieces[at(old_piece)].points == cut->points)) return points;
+    const CrackPiece* const old_cut = cut_of(*own);
+    if (cut == nullptr || (old_cut != nullptr && old_cut->points == cut->points)) return points;
     const std::array<Vec2, 4> corners = ElementBasis(later, element, true).corners();
     const CutElement sides = cut_element(corners, *cut);
     if (sides.tips.empty())

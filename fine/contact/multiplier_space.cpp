@@ -8,6 +8,7 @@
 
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::fine {
 namespace {
@@ -135,7 +136,7 @@ void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<i
     std::ranges::stable_sort(branch.crossings, {}, [&](const Crossing& c) { return std::abs(c.s - origin); });
     std::set<int> taken;
     for (const Crossing& crossing : branch.crossings) {
-        if (std::ranges::any_of(crossing.nodes, [&](int node) { return taken.contains(node); })) continue;
+        if (contains_any(taken, crossing.nodes)) continue;
         if (std::ranges::none_of(crossing.nodes, has_own_jump)) continue;
         taken.insert(crossing.nodes.begin(), crossing.nodes.end());
         nodes_.push_back(crossing.s);

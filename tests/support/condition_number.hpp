@@ -38,8 +38,8 @@ inline double condition_number(const SparseMatrix& whole, const UnknownSet& held
 
 /// Of the free unknowns' stiffness.
 inline double condition_number(const coarse::Structure& structure, int iterations = 60) {
-    UnknownSet held(structure.scene().enriched.unknowns);
-    for (const coarse::PrescribedUnknown& p : structure.scene().prescribed) held.insert(p.unknown);
+    const coarse::Scene& scene = structure.scene();
+    const UnknownSet held = coarse::prescribed_among(scene.enriched.unknowns, scene.prescribed);
     return condition_number(structure.elements().stiffness(), held, iterations);
 }
 
