@@ -1,11 +1,9 @@
 #include "app/study/figures.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
-#include <optional>
 
 #include "app/charts/chart.hpp"
 #include "app/charts/drawing.hpp"
@@ -35,13 +33,6 @@ Number error_of(const std::string& name) {
 
 std::string labelled(const char* name, const char* unit) {
     return *unit != 0 ? fmt::format("{}, {}", name, unit) : name;
-}
-
-std::optional<double> number_in(const std::string& text) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return number;
 }
 
 bool is_numeric(const Axis& axis) {

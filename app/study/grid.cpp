@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -73,6 +74,13 @@ std::vector<std::string> split_list(std::string_view text) {
     }
     parts.push_back(trimmed(text.substr(begin)));
     return parts;
+}
+
+std::optional<double> number_in(const std::string& text) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
 }
 
 Axis make_axis(const std::string& key, const std::vector<std::string>& values, const std::string& option) {

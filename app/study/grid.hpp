@@ -1,6 +1,7 @@
 // The grid of a study: axes of settings, and every combination of their values.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,9 @@ constexpr const char* ranks_key = "fine_ranks";
 
 /// Split at commas that stand outside brackets, braces and quotes; blanks around the parts are dropped.
 std::vector<std::string> split_list(std::string_view text);
+
+/// Nothing where the text is more than a number, or none.
+std::optional<double> number_in(const std::string& text);
 
 /// "fine.beta=1,2,4"; "load.blocks=[{max=50.0}],[{max=60.0}]". `option` is what complaints name. Throws CaseError.
 Axis parse_axis(const std::string& text, const std::string& option = "--over");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -14,10 +13,9 @@ namespace stria::study {
 namespace {
 
 double number_of(const std::string& text, const std::string& complaint) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) throw CaseError(complaint);
-    return number;
+    const std::optional<double> number = number_in(text);
+    if (!number) throw CaseError(complaint);
+    return *number;
 }
 
 std::map<std::string, double> read_reference_values(const std::vector<std::string>& given) {

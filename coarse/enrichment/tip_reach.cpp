@@ -103,10 +103,6 @@ double half_way_to_other_cracks(const std::vector<CrackSection>& cracks, std::sp
     return nearest / 2.0;
 }
 
-double half_way_to_others(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip) {
-    return std::min(half_way_to_other_end(tips, tip), half_way_to_other_cracks(cracks, tips, tip));
-}
-
 double distance_to_bend(const std::vector<CrackSection>& cracks, const Tip& tip, double band) {
     if (tip.crack >= std::ssize(cracks)) return std::numeric_limits<double>::infinity();  // a field's, without a crack
     return distance_to(beyond_straight(cracks[at(tip.crack)], tip, band), tip.position);

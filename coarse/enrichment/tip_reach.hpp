@@ -23,10 +23,6 @@ double half_way_to_other_end(std::span<const Tip> tips, int tip);
 /// The same to the nearest other crack, its tips included.
 double half_way_to_other_cracks(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip);
 
-/// Half of the distance from tip number `tip` to the nearest other one or another crack, mm; infinite where there is
-/// none.
-double half_way_to_others(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, int tip);
-
 /// Distance from a tip to what its own crack is beyond the place where it leaves the line behind the tip by more than
 /// `band`, mm; infinite where it does not.
 double distance_to_bend(const std::vector<CrackSection>& cracks, const Tip& tip, double band);

@@ -67,10 +67,7 @@ private:
         std::vector<int> key = face.nodes;
         std::ranges::sort(key);
         const auto [known, is_new] = known_.try_emplace(key, static_cast<int>(faces_.faces.size()));
-        if (is_new)
-            faces_.faces.push_back(std::move(face));
-        else
-            ++faces_.repeated;  // once for each group that it is in, as format 2.2 does
+        if (is_new) faces_.faces.push_back(std::move(face));  // format 2.2 has it once for each group that it is in
         face_of_.push_back(known->second);
     }
 

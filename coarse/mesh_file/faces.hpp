@@ -33,7 +33,7 @@ struct Faces {
     std::map<std::string, std::vector<int>> regions;  // ascending
     std::map<NodePair, std::vector<FaceEdge>> edges;  // one face of each at the boundary, else two
     std::map<Number, int> node_of;                    // by its number in the file
-    int turned = 0, unused_nodes = 0, repeated = 0;   // faces that were clockwise; nodes; faces given twice
+    int turned = 0, unused_nodes = 0;                 // faces that were clockwise; nodes
 
     [[nodiscard]] bool is_boundary(const NodePair& edge) const { return edges.at(edge).size() == 1; }
 };

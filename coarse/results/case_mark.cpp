@@ -9,6 +9,7 @@
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "common/io/checksum.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -31,19 +32,18 @@ Case essence(Case input) {
 }
 
 std::uint64_t digest_of(const Mesh& mesh) {
-    std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a, a number at a time
-    const auto mix = [&hash](std::uint64_t number) { hash = (hash ^ number) * 1099511628211ULL; };
+    Checksum sum;
     for (const Vec2& node : mesh.nodes)
-        for (const double coordinate : node) mix(std::bit_cast<std::uint64_t>(coordinate));
-    mix(mesh.elements.size());
+        for (const double coordinate : node) sum.add(std::bit_cast<std::uint64_t>(coordinate));
+    sum.add(mesh.elements.size());
     for (const auto& nodes : mesh.elements)
-        for (const int node : nodes) mix(static_cast<std::uint64_t>(node));
-    for (const int material : mesh.material) mix(static_cast<std::uint64_t>(material));
+        for (const int node : nodes) sum.add(static_cast<std::uint64_t>(node));
+    for (const int material : mesh.material) sum.add(static_cast<std::uint64_t>(material));
     for (const auto& [name, edges] : mesh.boundary) {
-        for (const char letter : name) mix(static_cast<unsigned char>(letter));
-        for (const auto& [element, edge] : edges) mix(4 * static_cast<std::uint64_t>(element) + at(edge));
+        sum.add(name);
+        for (const auto& [element, edge] : edges) sum.add(4 * static_cast<std::uint64_t>(element) + at(edge));
     }
-    return hash;
+    return sum.value();
 }
 
 [[noreturn]] void refuse(const std::string& difference) {

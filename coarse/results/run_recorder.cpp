@@ -14,10 +14,10 @@ namespace stria::coarse {
 
 namespace {
 
-/// After its first `rows` rows, or anew.
-CsvWriter table(const std::filesystem::path& path, const std::vector<std::string>& columns, bool go_on,
-                std::uint64_t rows) {
-    return go_on ? CsvWriter(path, columns, rows) : CsvWriter(path, columns);
+/// After the rows that it had where the run is resumed, or anew.
+CsvWriter table(const std::filesystem::path& path, const std::vector<std::string>& columns, const RecorderState* from,
+                std::uint64_t RecorderState::*rows) {
+    return from != nullptr ? CsvWriter(path, columns, from->*rows) : CsvWriter(path, columns);
 }
 
 }  // namespace
@@ -26,20 +26,19 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
                          std::function<coupling::ZoneState()> zone_state, const RecorderState* from)
     : output_(scene.input.output), last_cycle_(cycle_count(scene.input.load)), growth_(scene.input.growth),
       zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input, scene.loads)),
-      history_(table(directory / result_files::history, history_columns(), from, from ? from->history_rows : 0)),
-      cycles_(table(directory / result_files::cycles, cycle_columns(), from, from ? from->cycle_rows : 0)),
-      faces_(table(directory / result_files::faces, face_columns(), from, from ? from->face_rows : 0)),
-      fields_(directory, scene.input.output.format,
-              from ? from->fields : std::vector<FieldWriter::Step>()) {
+      history_(table(directory / result_files::history, history_columns(), from, &RecorderState::history_rows)),
+      cycles_(table(directory / result_files::cycles, cycle_columns(), from, &RecorderState::cycle_rows)),
+      faces_(table(directory / result_files::faces, face_columns(), from, &RecorderState::face_rows)),
+      fields_(directory, scene.input.output.format, from ? from->fields : std::vector<FieldWriter::Step>()) {
     if (!scene.input.closure.profile.empty())
         closure_.emplace(
-            table(directory / result_files::closure, closure_columns(), from, from ? from->closure_rows : 0));
+            table(directory / result_files::closure, closure_columns(), from, &RecorderState::closure_rows));
     if (!scene.loads.cases.empty())
         loads_.emplace(
-            table(directory / result_files::loads, load_columns(scene.input), from, from ? from->load_rows : 0));
+            table(directory / result_files::loads, load_columns(scene.input), from, &RecorderState::load_rows));
     if (!scene.input.load_cases.empty())  // its rows are those of cycles.csv
         load_cases_.emplace(table(directory / result_files::load_cases, load_case_columns(scene.input), from,
-                                  from ? from->cycle_rows : 0));
+                                  &RecorderState::cycle_rows));
     if (from == nullptr) return;
     cycle_iterations_ = from->cycle_iterations;
     N_ = from->N;

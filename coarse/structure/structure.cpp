@@ -73,20 +73,6 @@ Eigen::VectorXd Structure::on_free_places(const Eigen::VectorXd& gamma_values) c
     return gather(gamma_values, free_places());
 }
 
-/// Load on the structure at load factors, with a share of the initial stress.
-ReducedLoad Structure::load_at(const LoadFactors& factors, double initial) const {
-    ReducedLoad load{factors.main * loads_.unit().interior, factors.main * loads_.unit().boundary};
-    const auto add = [&](double factor, const ReducedLoad& more) {
-        if (factor == 0.0) return;
-        load.interior += factor * more.interior;
-        load.boundary += factor * more.boundary;
-    };
-    for (std::size_t k = 0; k < loads_.cases().size(); ++k)
-        add(factors.of_case(static_cast<Eigen::Index>(k)), loads_.cases()[k]);
-    if (elements_.initial().load.size() > 0) add(initial, loads_.initial());
-    return load;
-}
-
 Eigen::VectorXd Structure::boundary_load(const LoadFactors& factors) const {
     Eigen::VectorXd load = factors.main * loads_.unit().boundary + loads_.initial().boundary;
     for (std::size_t k = 0; k < loads_.cases().size(); ++k) {
@@ -99,7 +85,8 @@ Eigen::VectorXd Structure::boundary_load(const LoadFactors& factors) const {
 Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors,
                                   double initial) const {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(scene().enriched.unknowns);
-    u(numbering_.unknowns()) = leaf_.expand(load_at(factors, initial), on_free_places(gamma_displacement));
+    const Eigen::VectorXd inside = interior_load(factors, initial, 0, loads_.unit().interior.size());
+    u(numbering_.unknowns()) = leaf_.expand({inside, {}}, on_free_places(gamma_displacement));
     impose(scene().prescribed, factors, u);
     return u;
 }

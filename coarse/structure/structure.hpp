@@ -110,7 +110,6 @@ private:
     /// Of the load on what lies inside the structure, so much from there on.
     [[nodiscard]] Eigen::VectorXd interior_load(const LoadFactors& factors, double initial, Eigen::Index from,
                                                 Eigen::Index count) const;
-    [[nodiscard]] ReducedLoad load_at(const LoadFactors& factors, double initial) const;
 
     StructureSeconds seconds_;
     std::shared_ptr<const BodyPart> far_, middle_, behind_;

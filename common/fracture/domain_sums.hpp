@@ -1,6 +1,8 @@
 // What a part of a ring adds up to the domain integrals about a tip.
 #pragma once
 
+#include "common/members.hpp"
+
 namespace stria {
 
 /// J in N/mm; interactions per unit K (I and II) and per N/mm of force (T). K_I = E'/2 interaction_I, K_II likewise
@@ -13,21 +15,6 @@ struct DomainIntegral {
     double turned_I = 0.0, turned_II = 0.0, turned_T = 0.0;  // interactions of the rotation by 1
 
     double wake_I = 0.0, wake_II = 0.0;  // of the interactions: what the pressure of faces in a wake adds
-
-    DomainIntegral& operator+=(const DomainIntegral& other) {
-        J += other.J;
-        interaction_I += other.interaction_I;
-        interaction_II += other.interaction_II;
-        interaction_T += other.interaction_T;
-        area += other.area;
-        rotation += other.rotation;
-        turned_I += other.turned_I;
-        turned_II += other.turned_II;
-        turned_T += other.turned_T;
-        wake_I += other.wake_I;
-        wake_II += other.wake_II;
-        return *this;
-    }
 
     /// Of the whole ring: the interactions of what is left of the solution without its mean rotation. A rotation has
     /// none, for the auxiliary stresses are in equilibrium; but not with the quadrature of their r^(-1/2), so K would
@@ -42,5 +29,10 @@ struct DomainIntegral {
         return left;
     }
 };
+
+STRIA_MEMBERS(DomainIntegral, J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II,
+              turned_T, wake_I, wake_II)
+
+inline DomainIntegral& operator+=(DomainIntegral& sum, const DomainIntegral& more) { return add_members(sum, more); }
 
 }  // namespace stria

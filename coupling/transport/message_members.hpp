@@ -43,8 +43,6 @@ STRIA_MEMBERS(PatchResponse, force, tangent, same_tangent, may_keep_factor, keep
               interior_residual, interior_force, contact_residual, interior_correction, interior_displacement, along,
               along_before, provisional, woken, opens_faces, digest)
 STRIA_MEMBERS(FaceSample, crack, s, x, y, opening, slip, pressure, shear, status, in_wake)
-STRIA_MEMBERS(DomainIntegral, J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II,
-              turned_T, wake_I, wake_II)
 STRIA_MEMBERS(RingReport, tip, number, sums)
 STRIA_MEMBERS(FlowShell, begin, end, reach, axis)
 STRIA_MEMBERS(TipReport, CTOD, opening, flow, flow_ever)
