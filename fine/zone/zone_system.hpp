@@ -106,9 +106,6 @@ public:
     /// The last ones, for predictors; the last of all first.
     [[nodiscard]] const std::deque<ZoneUnknowns>& increments() const { return memory_.increments.all(); }
 
-    [[nodiscard]] double constitutive_seconds() const { return constitutive_s_; }
-    [[nodiscard]] double contact_seconds() const { return contact_s_; }
-
 private:
     [[nodiscard]] MaterialLaws make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }
     TakenOver move_tips(const coupling::Patch& patch);
