@@ -111,9 +111,8 @@ void check_available(const Value& root, const std::vector<NotYet>& missing, cons
         for (const NotYet& entry : missing) {
             const bool named = entry.path == path || entry.path == parent_and_leaf(path).first + ".*";
             if (!named || (entry.applies && !entry.applies(value))) continue;
-            const std::string given = entry.text.empty() ? "" : fmt::format("= {} ", to_toml(value));
             const std::string instead = entry.instead.empty() ? "" : "; " + entry.instead;
-            reject(place, value.line, fmt::format("{}is not available in this version{}", given, instead));
+            reject(place, value.line, "is not available in this version" + instead);
         }
     });
 }

@@ -5,11 +5,10 @@
 
 namespace stria::schema {
 
-/// A key or value that the case file's language has and this version has not.
+/// A key that the case file's language has and this version has not.
 struct NotYet {
     std::string path;  // without the numbers of lists: "crack.contact.friction"; "material.*" is any key below
     std::function<bool(const Value&)> applies;  // empty: whatever the value
-    std::string text;                           // the value, for the reference: "> 1"; empty: the key itself
     std::string instead;                        // what this version has; may be empty
 };
 

@@ -27,20 +27,12 @@ std::string paragraph(const Key& key, const std::string& path) {
     return fmt::format("{}\n    {}\n    {}\n", path, fmt::join(facts, "; "), key.sentence);
 }
 
-std::string missing_values(const std::string& path) {
-    std::string text;
-    for (const NotYet& entry : not_in_this_version())
-        if (entry.path == path && !entry.text.empty())
-            text += fmt::format("    Not in this version: {}.\n", entry.text);
-    return text;
-}
-
 std::string paragraphs(const std::vector<Key>& keys, const std::string& prefix, const std::string& wanted) {
     std::string text;
     for (const Key& key : keys) {
         const std::string path = prefix + key.name;
         const bool shown = wanted.empty() || path == wanted || path.starts_with(wanted + ".");
-        if (shown) text += paragraph(key, path) + missing_values(path);
+        if (shown) text += paragraph(key, path);
         text += paragraphs(key.keys, path + ".", wanted);
     }
     return text;
@@ -74,11 +66,10 @@ std::string section_text(const std::string& title, const std::string& sentence, 
 }
 
 std::string table_of_missing() {
-    std::string text = "\n## Not in this version\n\nThese are recognised and refused.\n\n| key | value | this version "
-                       "|\n|---|---|---|\n";
+    std::string text = "\n## Not in this version\n\nThese are recognised and refused.\n\n| key | this version |\n"
+                       "|---|---|\n";
     for (const NotYet& entry : not_in_this_version())
-        text += fmt::format("| `{}` | {} | {} |\n", entry.path, entry.text.empty() ? "any" : entry.text,
-                            cell(entry.instead));
+        text += fmt::format("| `{}` | {} |\n", entry.path, cell(entry.instead));
     return text;
 }
 

@@ -7,12 +7,12 @@ namespace {
 using schema::NotYet;
 using schema::Value;
 
-NotYet key(std::string path, std::string instead = "") { return {std::move(path), {}, "", std::move(instead)}; }
+NotYet key(std::string path, std::string instead = "") { return {std::move(path), {}, std::move(instead)}; }
 
 /// [material.NAME]: any table below [material] that has its own modulus.
 NotYet named_material(std::string path, std::string instead) {
     const auto applies = [](const Value& value) { return schema::find(value, "young") != nullptr; };
-    return {std::move(path), applies, "", std::move(instead)};
+    return {std::move(path), applies, std::move(instead)};
 }
 
 }  // namespace
