@@ -15,53 +15,16 @@ namespace {
 
 constexpr std::size_t max_elements = 4'000'000;
 
-void require_positive(const std::string& key, double value) {
-    if (!std::isfinite(value) || value <= 0.0) {
-        throw CaseError(fmt::format("{}: {} mm must be a finite number > 0", key, value));
-    }
-}
-
-void validate(const Grading& grading, const std::string& key, const Body& body) {
-    require_positive(key + ".size", grading.size);
+/// What the keys alone do not tell (common/case/checks/case_checks.cpp): how a grading lies in the body.
+void check_in_body(const Grading& grading, const std::string& key, const Body& body) {
     const double least = smallest_edge * (body.high - body.low).maxCoeff();
-    if (grading.size < least) {
+    if (grading.size < least)
         throw CaseError(
             fmt::format("{}.size: {} mm is too small beside the body, at least {:.3g} mm", key, grading.size, least));
-    }
-    if (grading.outer_size && !(std::isfinite(*grading.outer_size) && *grading.outer_size >= grading.size)) {
-        throw CaseError(
-            fmt::format("{}.outer_size: {} mm must be at least size = {} mm", key, *grading.outer_size, grading.size));
-    }
-    for (const auto& [name, value] : {std::pair{".radius", grading.radius}, std::pair{".growth", grading.growth}}) {
-        if (!std::isfinite(value) || value < 0.0) {
-            throw CaseError(fmt::format("{}{}: {} must be a finite number >= 0", key, name, value));
-        }
-    }
-    if (grading.at.empty() || grading.at.size() > 2) {
-        throw CaseError(
-            fmt::format("{}.at: {} points, must be one point or the two ends of a line", key, grading.at.size()));
-    }
-    for (const Vec2& point : grading.at) {
-        if (!body.holds(point)) {
+    for (const Vec2& point : grading.at)
+        if (!body.holds(point))
             throw CaseError(fmt::format("{}.at: ({}, {}) is outside the body [{}, {}] x [{}, {}] mm", key, point.x(),
                                         point.y(), body.low.x(), body.high.x(), body.low.y(), body.high.y()));
-        }
-    }
-    const Vec2 extent = grading.at.back() - grading.at.front();
-    if (extent.x() != 0.0 && extent.y() != 0.0) {
-        throw CaseError(fmt::format("{}.at: the line from ({}, {}) to ({}, {}) must be parallel to an axis", key,
-                                    grading.at.front().x(), grading.at.front().y(), grading.at.back().x(),
-                                    grading.at.back().y()));
-    }
-}
-
-void validate(const MeshSection& section, const Body& body) {
-    require_positive("mesh.width", body.high.x() - body.low.x());
-    require_positive("mesh.height", body.high.y() - body.low.y());
-    require_positive("mesh.size", section.size);
-    for (std::size_t k = 0; k < section.grading.size(); ++k) {
-        validate(section.grading[k], fmt::format("mesh.grading.{}", k), body);
-    }
 }
 
 /// What the gradings ask of the axis with this index, counted from the body's lower end. A line keeps its size along
@@ -117,7 +80,8 @@ Mesh grid_mesh(std::span<const double> xs, std::span<const double> ys) {
 }
 
 Mesh structured_mesh(const MeshSection& section, const Body& body, const MeshLines& lines) {
-    validate(section, body);
+    for (std::size_t k = 0; k < section.grading.size(); ++k)
+        check_in_body(section.grading[k], fmt::format("mesh.grading.{}", k), body);
     const std::vector<double> xs = axis_positions(section, body, lines, 0),
                               ys = axis_positions(section, body, lines, 1);
     if (xs.size() * ys.size() > max_elements) {

@@ -11,6 +11,7 @@
 
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace stria::test {
 
@@ -59,14 +60,8 @@ protected:
 
     /// The complaint about the text, without the folder in front.
     std::string complaint(const std::string& text, const std::vector<std::string>& overrides = {}) {
-        try {
-            read(text, overrides);
-        } catch (const CaseError& error) {
-            const std::string what = error.what();
-            const std::size_t start = what.find(path_);
-            return start == 0 ? what.substr(path_.size() - std::string("case.toml").size()) : what;
-        }
-        return "no complaint";
+        const std::string said = refusal_of([&] { return read(text, overrides); });
+        return said.starts_with(path_) ? said.substr(path_.size() - std::string("case.toml").size()) : said;
     }
 
     /// The complaint when one passage of the complete case reads otherwise.

@@ -13,7 +13,6 @@ namespace stria::coarse {
 namespace {
 
 int node_of_point(const Mesh& mesh, const Vec2& point, const std::string& key) {
-    if (!point.allFinite()) throw CaseError(key + ".at: the point is not finite");
     const int node = nearest_node(mesh, point);
     if (!is_at(mesh, node, point)) {
         const Vec2& nearest = mesh.nodes[at(node)];
@@ -38,10 +37,7 @@ std::array<int, 2> edge_nodes(const Mesh& mesh, const BoundaryEdge& edge) {
 }
 
 Place place_of(const Mesh& mesh, const BoundarySection& section, const std::string& key) {
-    if (section.on == "point") {
-        if (!section.at) throw CaseError(key + ".at: on = \"point\" needs the point, at = [x, y]");
-        return {{}, {node_of_point(mesh, *section.at, key)}, nullptr};
-    }
+    if (section.on == "point") return {{}, {node_of_point(mesh, section.at.value(), key)}, nullptr};
     if (const auto pin = mesh.pins.find(section.on); pin != mesh.pins.end()) {
         Place place{{}, {}, &pin->second};
         for (const SpreadPoint::Share& share : pin->second.shares) place.nodes.push_back(share.node);

@@ -8,6 +8,7 @@
 #include "common/error.hpp"
 #include "common/geometry/vec2.hpp"
 #include "coupling/transport/wire.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/whole_tangent.hpp"
 
 namespace stria::coupling {
@@ -276,12 +277,8 @@ TEST(Wire, ABrokenLengthAsksForNoMemory) {
 
 TEST(Wire, AnUnforeseenMessageIsNamed) {
     EXPECT_NO_THROW(expect(Tag::Done, Tag::Done));
-    try {
-        expect(Tag::Response, Tag::Report);
-        FAIL();
-    } catch (const ComponentLost& lost) {
-        EXPECT_STREQ(lost.what(), "the components lost step: Response expected, Report received");
-    }
+    EXPECT_EQ(test::refusal_of<ComponentLost>([] { expect(Tag::Response, Tag::Report); }),
+              "the components lost step: Response expected, Report received");
 }
 
 }  // namespace

@@ -7,18 +7,14 @@
 
 #include "common/error.hpp"
 #include "tests/support/mesh_files.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria::coarse {
 namespace {
 
 std::string complaint_of(const std::string& path) {
-    try {
-        static_cast<void>(read_mesh_file(path));
-    } catch (const CaseError& error) {
-        return error.what();
-    }
-    return "";
+    return test::refusal_of([&] { return read_mesh_file(path); });
 }
 
 struct Defect {

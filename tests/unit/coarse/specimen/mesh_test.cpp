@@ -11,6 +11,7 @@
 #include "common/error.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -42,12 +43,7 @@ double largest_ratio(const std::vector<double>& positions) {
 }
 
 std::string refusal(const Case& scene) {
-    try {
-        static_cast<void>(make_mesh(scene.mesh, scene.cracks));
-    } catch (const CaseError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal_of([&] { return make_mesh(scene.mesh, scene.cracks); });
 }
 
 TEST(GradedAxis, IsUniformWithoutGradings) {
@@ -262,18 +258,10 @@ TEST(MakeMesh, NamesTheKeyThatIsWrong) {
     EXPECT_TRUE(starts(refusal(scene), "mesh.specimen"));
     EXPECT_NE(refusal(scene).find("available: sent, mt, ct, plate"), std::string::npos);
     scene = plain_case();
-    scene.mesh.width = std::nan("");
-    EXPECT_TRUE(starts(refusal(scene), "mesh.width"));
-    scene = plain_case();
-    scene.mesh.size = 0.0;
-    EXPECT_TRUE(starts(refusal(scene), "mesh.size"));
-    scene = plain_case();
     scene.mesh.grading = {Grading{.at = {{51.0, 100.0}}, .size = 1.0, .outer_size = {}}};
     EXPECT_TRUE(starts(refusal(scene), "mesh.grading.0.at"));
-    scene.mesh.grading = {Grading{.at = {{1.0, 1.0}, {2.0, 2.0}}, .size = 1.0, .outer_size = {}}};
-    EXPECT_TRUE(starts(refusal(scene), "mesh.grading.0.at"));
-    scene.mesh.grading = {Grading{.at = {{1.0, 1.0}}, .size = 1.0, .outer_size = 0.5, .radius = 1.0}};
-    EXPECT_TRUE(starts(refusal(scene), "mesh.grading.0.outer_size"));
+    scene.mesh.grading = {Grading{.at = {{1.0, 1.0}}, .size = 1e-5, .outer_size = {}}};
+    EXPECT_TRUE(starts(refusal(scene), "mesh.grading.0.size"));
 }
 
 TEST(MakeMesh, WantsCracksThatMeetTheBody) {
@@ -287,8 +275,6 @@ TEST(MakeMesh, WantsCracksThatMeetTheBody) {
     EXPECT_NE(with_crack({{60.0, 10.0}, {70.0, 10.0}}), "accepted");
     EXPECT_NE(with_crack({{0.0, 10.0}, {0.0, 20.0}}), "accepted");  // along the boundary
     EXPECT_NE(with_crack({{10.0, 10.0}, {60.0, 20.0}, {10.0, 30.0}}), "accepted");
-    EXPECT_NE(with_crack({{10.0, 10.0}, {10.0, 10.0}}), "accepted");
-    EXPECT_EQ(with_crack({{10.0, 10.0}}).rfind("crack.1.points:", 0), 0U);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -26,12 +27,7 @@ MeshSection plate(double size) {
 }
 
 std::string complaint(const Mesh& mesh, const std::vector<RegionSection>& regions) {
-    try {
-        static_cast<void>(materials_of_elements(mesh, regions));
-    } catch (const CaseError& error) {
-        return error.what();
-    }
-    return "none";
+    return test::refusal_of([&] { return materials_of_elements(mesh, regions); });
 }
 
 TEST(Regions, AxisParallelOutlinesAreNodeLines) {
@@ -106,7 +102,7 @@ TEST(Regions, MayBeGroupsOfTheMesh) {
 TEST(Regions, MustHoldElementsAndNotOverlap) {
     const Mesh mesh = make_mesh(plate(1.0), {});
     EXPECT_TRUE(materials_of_elements(mesh, {}).empty());
-    EXPECT_EQ(complaint(mesh, {region({{1.0, 1.0}, {3.0, 3.0}})}), "none");
+    EXPECT_EQ(complaint(mesh, {region({{1.0, 1.0}, {3.0, 3.0}})}), "accepted");
     EXPECT_NE(complaint(mesh, {region({{11.0, 1.0}, {13.0, 3.0}})}).find("region.0.outline: holds no element"),
               std::string::npos);
     EXPECT_NE(complaint(mesh, {region({{1.0, 1.0}, {3.0, 3.0}}), region({{2.0, 2.0}, {4.0, 4.0}})})

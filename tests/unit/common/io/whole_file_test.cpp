@@ -11,6 +11,7 @@
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
 #include "common/io/hdf5.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/small_disk.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -21,12 +22,7 @@ class FullDisk : public testing::Test {
 protected:
     template <class Write> static std::string complaint(Write write) {
         const test::SmallDisk disk(4096);
-        try {
-            write();
-        } catch (const FileFailure& failure) {
-            return failure.what();
-        }
-        return "no complaint";
+        return test::refusal_of<FileFailure>(write);
     }
     const test::TemporaryFolder folder;
     const std::string file = folder / "f";

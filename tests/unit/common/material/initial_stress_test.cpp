@@ -8,6 +8,7 @@
 
 #include "common/case/schema/region_schema.hpp"
 #include "common/error.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria {
@@ -71,19 +72,15 @@ class GridFile : public testing::Test {
 protected:
     std::string complaint(const std::string& text) {
         std::ofstream(folder_ / "grid.csv") << text;
-        try {
-            grid = read_stress_grid(folder_ / "grid.csv");
-        } catch (const CaseError& error) {
-            return std::string(error.what()).substr(std::string(folder_ / "grid.csv").size());
-        }
-        return "none";
+        const std::string said = test::refusal_of([&] { grid = read_stress_grid(folder_ / "grid.csv"); });
+        return said.substr(said.starts_with('/') ? said.find("grid.csv") + std::string("grid.csv").size() : 0);
     }
     StressGrid grid;
     test::TemporaryFolder folder_;
 };
 
 TEST_F(GridFile, NodesMayComeInAnyOrder) {
-    ASSERT_EQ(complaint("x,y,sxx,syy,sxy\n1,0,2,20,0\n0,0,1,10,0\n0,3,3,30,0\n1,3,4,40,7\n"), "none");
+    ASSERT_EQ(complaint("x,y,sxx,syy,sxy\n1,0,2,20,0\n0,0,1,10,0\n0,3,3,30,0\n1,3,4,40,7\n"), "accepted");
     EXPECT_EQ(grid.x, (std::vector<double>{0.0, 1.0}));
     EXPECT_EQ(grid.y, (std::vector<double>{0.0, 3.0}));
     EXPECT_EQ(grid.xx, (std::vector<double>{1.0, 2.0, 3.0, 4.0}));

@@ -6,6 +6,7 @@
 
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria {
@@ -32,20 +33,15 @@ const std::string pull = "[0.0, 1.0]\n", slope = "traction_gradient = [[1.0, 0.0
 std::string complaint_about_boundary(const std::string& says) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "case.toml") << specimen << "size = 5.0\n[[boundary]]\n" << says;
-    try {
-        static_cast<void>(read_case(folder / "case.toml", {}));
-    } catch (const CaseError& error) {
-        const std::string what = error.what();
-        return what.substr(what.rfind('/') + 1);
-    }
-    return "none";
+    const std::string said = test::refusal_of([&] { return read_case(folder / "case.toml", {}); });
+    return said.substr(said.rfind('/') + 1);
 }
 
 TEST(BoundaryChecks, EachKeyHasItsPlaces) {
     for (const std::string& says :
          {point + "force = " + pull, point + "displacement = " + pull, pin + "force = " + pull,
           edge + "displacement = " + pull, edge + "traction = " + pull, edge + slope, edge + "pressure = 1.0\n"})
-        EXPECT_EQ(complaint_about_boundary(says), "none") << says;
+        EXPECT_EQ(complaint_about_boundary(says), "accepted") << says;
     const std::string an_edge = "needs an edge, not a point";
     for (const auto& [says, complaint] :
          {std::pair(point + "traction = " + pull, "17: boundary.1.traction = [0.0, 1.0] " + an_edge),
@@ -66,8 +62,8 @@ TEST(BoundaryChecks, EachKeyHasItsPlaces) {
 
 TEST(BoundaryChecks, AGradientOfZeroSaysNothing) {
     const std::string zero = "traction_gradient = [[0.0, 0.0], [0.0, 0.0]]\n";
-    EXPECT_EQ(complaint_about_boundary(point + "force = " + pull + zero), "none");
-    EXPECT_EQ(complaint_about_boundary(pin + "force = " + pull + zero), "none");
+    EXPECT_EQ(complaint_about_boundary(point + "force = " + pull + zero), "accepted");
+    EXPECT_EQ(complaint_about_boundary(pin + "force = " + pull + zero), "accepted");
 }
 
 }  // namespace

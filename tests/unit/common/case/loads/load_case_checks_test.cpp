@@ -8,6 +8,7 @@
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "tests/support/load_cases.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria {
@@ -42,13 +43,8 @@ protected:
         return read_case(folder / "case.toml", {});
     }
     std::string complaint(const std::string& more) {
-        try {
-            read(plate + held + more);
-        } catch (const CaseError& error) {
-            const std::string what = error.what();
-            return what.substr(what.rfind('/') + 1);
-        }
-        return "none";
+        const std::string said = test::refusal_of([&] { read(plate + held + more); });
+        return said.substr(said.rfind('/') + 1);
     }
     test::TemporaryFolder folder;
 };

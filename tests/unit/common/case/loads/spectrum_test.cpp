@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "common/error.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria {
@@ -18,13 +19,8 @@ protected:
         return read_spectrum(folder / "s.csv", {}, repeats).blocks;
     }
     std::string complaint(const std::string& text) {
-        try {
-            read(text);
-        } catch (const CaseError& error) {
-            const std::string what = error.what();
-            return what.substr(what.find("s.csv"));
-        }
-        return "none";
+        const std::string said = test::refusal_of([&] { read(text); });
+        return said.substr(said.rfind('/') + 1);
     }
     test::TemporaryFolder folder;
 };

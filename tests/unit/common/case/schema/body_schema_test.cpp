@@ -28,6 +28,15 @@ TEST_F(CaseFile, KnowsTheProportionsOfSpecimens) {
               "case.toml:6: mesh.height = 200 mm must be 1.2 width, or be left out");
 }
 
+TEST_F(CaseFile, GradesTowardsAPointOrAlongAnAxis) {
+    const std::string grading = "case.toml:8: mesh.grading.0";
+    EXPECT_EQ(complaint_about("at = [20.0, 100.0], size", "at = [[1.0, 1.0], [2.0, 2.0]], size"),
+              grading + ".at = [[1.0, 1.0], [2.0, 2.0]] must be one point or the two ends of an axis-parallel line");
+    EXPECT_EQ(complaint_about("outer_size = 0.2", "outer_size = 0.05"),
+              grading + ".outer_size = 0.05 mm must be >= size");
+    EXPECT_EQ(complaint_about("radius = 3.0", "radius = -3.0"), grading + ".radius = -3 mm must be >= 0");
+}
+
 TEST_F(CaseFile, TakesForcesAtPins) {
     const std::string pin = "[[boundary]]\non = \"pin-top\"\n";
     EXPECT_EQ(read(complete + pin + "force = [0.0, 1.0]\n").boundaries.back().force, Vec2(0.0, 1.0));
@@ -66,7 +75,7 @@ TEST_F(CaseFile, TakesHardeningThatSaturates) {
     const auto about = [&](const std::string& keys) { return complaint(complete + "[material.isotropic]\n" + keys); };
     for (const char* keys : {"law = \"voce\"\nQ = 90.0\n", "law = \"voce\"\nb = 3.0\n"})
         EXPECT_EQ(about(keys), "case.toml:26: material.isotropic needs a Q other than 0 and b > 0");
-    EXPECT_EQ(about("law = \"voce\"\nQ = -299.0\nb = 3.0\n"), "no complaint");
+    EXPECT_EQ(about("law = \"voce\"\nQ = -299.0\nb = 3.0\n"), "accepted");
     EXPECT_NE(about("law = \"voce\"\nQ = -300.0\nb = 3.0\n").find("needs a Q above -yield_stress"), std::string::npos);
     EXPECT_NE(about("law = \"voce\"\nQ = -200.0\nb = 100.0\n").find("needs a Q b above"), std::string::npos);
     EXPECT_EQ(about("Q = 90.0\n"), "case.toml:27: material.isotropic.Q = 90 belongs to law = \"voce\"");
