@@ -17,6 +17,7 @@ namespace {
 
 /// Places along an edge need one direction.
 void require_straight(const Mesh& mesh, const std::vector<BoundaryEdge>& edges, const std::string& key) {
+    if (edges.empty()) throw CaseError(key + ".travelling: a set of nodes without edges bears no load");
     const Vec2 normal = edge_geometry(mesh, edges.front()).inward_normal();
     for (const BoundaryEdge& edge : edges)
         if ((edge_geometry(mesh, edge).inward_normal() - normal).norm() > 1e-6)

@@ -13,6 +13,7 @@
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace stria::coarse {
@@ -117,6 +118,19 @@ TEST(Boundaries, RefuseWhatMakesNoSense) {
     BoundarySection section = traction_on("top", 0.0, 1.0);
     section.force = Vec2(1.0, 0.0);
     EXPECT_TRUE(mentions(refusal({section}), "boundary.0.force"));
+}
+
+TEST(Boundaries, APressureTravelsAlongAnEdge) {
+    Case input;
+    input.boundaries = {test::under_wheel("some", {.p0 = 1.0, .half_width = 1.0, .from = 0.0, .to = 4.0})};
+    Mesh with_set = mesh;
+    with_set.node_sets["some"] = {0, 1};
+    const auto refused = [&] { return test::refusal_of([&] { return resolve_loads(with_set, input); }); };
+    EXPECT_TRUE(mentions(refused(), "boundary.0.travelling: a set of nodes without edges"));
+    with_set.boundary["some"] = with_set.boundary.at("top");
+    EXPECT_EQ(refused(), "accepted");
+    with_set.boundary["some"].push_back(with_set.boundary.at("left").front());
+    EXPECT_TRUE(mentions(refused(), "boundary.0.travelling: the edge is not straight"));
 }
 
 // A traction on an edge that is moved is borne by what moves it.
