@@ -2,27 +2,19 @@
 // boundary lies.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <functional>
 
 #include "app/run/monolithic/monolithic.hpp"
-#include "coarse/equilibrium/condensed/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "tests/support/controlled_plates.hpp"
 #include "tests/support/load_cases.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
 namespace {
-
-/// 10 mm elements, 1 mm at the tip: plastic flow at the load factor 100, half of what the plate bears.
-Case small_sent(std::vector<std::string> overrides) {
-    overrides.insert(overrides.end(), {mesh_at_tip(1.0), "mesh.size=10.0", "solver.tolerance=1e-12", "load.steps=8",
-                                       "load.blocks=[{max=100.0,ratio=-0.5}]"});
-    return sent_case(std::move(overrides));
-}
 
 /// A compact specimen: its loads act inside the insert, which is never in the zone.
 Case small_ct() {
@@ -185,133 +177,6 @@ TEST(ElasticDisplacementControl, BesideADeadLoadHasTheLoadFactorOfTheNominalBody
         EXPECT_NEAR(increment.load_factor, unit.load_factor_at(target.value, target.cases), 1e-8) << target.value;
     }
     EXPECT_GT(controlled, 8);
-}
-
-/// Pulled at both ends by 60 MPa, which moves them apart by more than a quarter of 0.16 mm and less than that.
-Case beside_a_dead_load(const LoadBlock& block) {
-    Case input = small_sent({"fine.radius=200.0"});
-    input.load.control = Control::Displacement;
-    input.load.blocks = {block};
-    input.load_cases = {dead_load("dead", 60.0)};
-    for (const double side : {1.0, -1.0})
-        input.boundaries.push_back(pulled_in_case("dead", side > 0.0 ? "top" : "bottom", {0.0, side}));
-    return input;
-}
-
-/// Without flow and contact: no zone.
-Case elastic(Case input) {
-    input.material.yield_stress.reset();
-    input.cracks[0].contact.reset();
-    input.fine.radius.reset();
-    return input;
-}
-
-RunHistory run_elastic(const Case& plastic) {
-    const Case input = elastic(plastic);
-    coarse::CondensedFactory factory(nullptr, input);
-    return run_analysis(input, factory);
-}
-
-constexpr std::size_t half_cycle = 4;  // increments, and so many in which dead loads come on
-
-void expect_straight_on(const RunHistory& run, double to) {
-    ASSERT_GE(run.increments.size(), 2 * half_cycle);
-    const double from = run.increments[half_cycle - 1].machine.displacement;
-    for (std::size_t k = half_cycle; k < 2 * half_cycle; ++k) {
-        const Followed &before = run.increments[k - 1], &now = run.increments[k];
-        EXPECT_GT(now.machine.displacement, before.machine.displacement) << "increment " << k + 1;
-        EXPECT_GT(now.load_factor, before.load_factor) << "increment " << k + 1;
-        EXPECT_EQ(now.step.reversal, k + 1 == 2 * half_cycle);
-    }
-    EXPECT_NEAR(run.increments[2 * half_cycle - 1].machine.displacement, to, 1e-12);
-    EXPECT_NEAR(run.increments[half_cycle].step.target.value, from + 0.25 * (to - from), 1e-12);
-}
-
-// The way to the first maximum began at a displacement of zero, to which nobody had asked it back.
-TEST(ElasticDisplacementControl, GoesOnFromWhereADeadLoadHasMovedTheBoundary) {
-    const RunHistory run = run_elastic(beside_a_dead_load({.cycles = 1, .max = 0.16, .min = 0.02}));
-    expect_straight_on(run, 0.16);
-    EXPECT_NEAR(run.increments[3 * half_cycle - 1].machine.displacement, 0.02, 1e-12);
-    EXPECT_NEAR(run.increments[4 * half_cycle - 1].machine.displacement, 0.16, 1e-12);
-}
-
-// A first displacement that the dead load has passed is gone back to; one of zero is no exception.
-TEST(ElasticDisplacementControl, GoesBackFromADeadLoadWhereThatIsAsked) {
-    for (const double first : {0.02, 0.0}) {
-        const RunHistory run = run_elastic(beside_a_dead_load({.cycles = 1, .max = first, .min = -0.02}));
-        ASSERT_EQ(run.increments.size(), 4 * half_cycle);
-        const Followed &maximum = run.increments[2 * half_cycle - 1], &minimum = run.increments[3 * half_cycle - 1];
-        EXPECT_NEAR(maximum.machine.displacement, first, 1e-12);
-        EXPECT_TRUE(maximum.step.at_maximum);
-        EXPECT_FALSE(maximum.step.reversal) << "it goes on in the same direction";
-        EXPECT_EQ(maximum.step.cycle, 0);
-        EXPECT_NEAR(minimum.machine.displacement, -0.02, 1e-12);
-        EXPECT_TRUE(minimum.step.reversal);
-        for (std::size_t k = half_cycle; k < 3 * half_cycle; ++k)
-            EXPECT_LT(run.increments[k].machine.displacement, run.increments[k - 1].machine.displacement);
-    }
-}
-
-Case with_initial_stress() {
-    return small_sent({"initial_stress={sigma_y={at=[0.0,25.0,50.0], stress=[200.0,-200.0,200.0]}}"});
-}
-
-// An initial stress moves it as well. Without load the boundary stands at `settled`.
-TEST(ElasticDisplacementControl, GoesOnFromWhereAnInitialStressHasMovedTheBoundary) {
-    Case input = with_initial_stress();
-    const double settled = run_elastic(input).increments[0].machine.displacement;
-    ASSERT_GT(settled, 0.0);
-    input.load.control = Control::Displacement;
-    input.load.blocks = {{.cycles = 0, .max = 1.5 * settled, .min = 0.0}};
-    const RunHistory run = run_elastic(input);
-    ASSERT_EQ(run.increments.size(), 1 + half_cycle);
-    for (std::size_t k = 1; k <= half_cycle; ++k)
-        EXPECT_GT(run.increments[k].load_factor, run.increments[k - 1].load_factor);
-    EXPECT_NEAR(run.increments.back().machine.displacement, 1.5 * settled, 1e-12);
-}
-
-// The first maximum was passed over: the boundary went to the minimum at once, a half cycle later in the history.
-TEST(ElasticDisplacementControl, GoesBackFromAnInitialStressToADisplacementOfZero) {
-    Case input = with_initial_stress();
-    input.load.control = Control::Displacement;
-    input.load.blocks = {{.cycles = 1, .max = 0.0, .min = -0.02}};
-    const RunHistory run = run_elastic(input);
-    ASSERT_EQ(run.increments.size(), 1 + 3 * half_cycle);
-    const double settled = run.increments[0].machine.displacement;
-    ASSERT_GT(settled, 0.0);
-    EXPECT_NEAR(run.increments[1].machine.displacement, 0.75 * settled, 1e-12);
-    const Followed &maximum = run.increments[half_cycle], &minimum = run.increments[2 * half_cycle];
-    EXPECT_NEAR(maximum.machine.displacement, 0.0, 1e-12);
-    EXPECT_TRUE(maximum.step.at_maximum);
-    EXPECT_FALSE(maximum.step.reversal) << "it goes on in the same direction";
-    EXPECT_EQ(maximum.step.cycle, 0);
-    EXPECT_NEAR(minimum.machine.displacement, -0.02, 1e-12);
-    EXPECT_EQ(minimum.step.cycle, 1);
-}
-
-/// Nominal, of the increments of an elastic body.
-double largest_K_reached(const RunHistory& run) {
-    double largest = 0.0;
-    for (const Followed& increment : run.increments)
-        largest =
-            std::max(largest, K_I_under(increment.nominal[0], {increment.load_factor, increment.step.target.cases}));
-    return largest;
-}
-
-// The zone was that of K beyond the dead load's, as if [load] alone moved the boundary.
-TEST(ElasticDisplacementControl, EquationThreeHasTheLargestKThatIsReached) {
-    Case stressed = with_initial_stress();
-    stressed.load.control = Control::Displacement;
-    stressed.load.blocks = {{.cycles = 1, .max = 0.1, .min = -0.05}};
-    Case beside_both = beside_a_dead_load({.cycles = 1, .max = 0.2, .min = 0.05});
-    beside_both.initial_stress = stressed.initial_stress;
-    for (const Case& input : {beside_a_dead_load({.cycles = 1, .max = 0.16, .min = 0.02}),
-                              beside_a_dead_load({.cycles = 1, .max = 0.02, .min = -0.02}), stressed, beside_both}) {
-        const RunHistory run = run_elastic(input);
-        const coarse::UnitResponse unit = unit_response(coarse::solve_nominal(coarse::refined_scene(elastic(input))));
-        const double K = coarse::largest_K(input, unit).at(0);
-        EXPECT_NEAR(K, largest_K_reached(run), 1e-4 * K);
-    }
 }
 
 // A dead load in proportion to the main one is part of one load, the same plate's under load control.

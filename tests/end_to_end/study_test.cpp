@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "common/io/number_table.hpp"
+#include "tests/support/counted_words.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -31,12 +32,6 @@ for task in $(seq "${range%-*}" "${range#*-}"); do
     SLURM_JOB_ID=7 SLURM_ARRAY_TASK_ID=$task bash "$1.spooled"
 done
 )";
-
-long occurrences(const std::string& text, const std::string& part) {
-    long count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
-    return count;
-}
 
 /// Waits until it holds, half a minute at most.
 bool comes_true(const std::function<bool()>& holds) {
@@ -139,9 +134,9 @@ output = { fields = "none" }
     };
     const std::vector<double> before = with("sent-mixed.msh", "--force");
     EXPECT_EQ(with("sent-mixed.msh", "--resume"), before);
-    EXPECT_EQ(occurrences(said(), "done before"), 2) << said();
+    EXPECT_EQ(count(said(), "done before"), 2) << said();
     EXPECT_NE(with("sent-quads.msh", "--resume"), before);
-    EXPECT_EQ(occurrences(said(), "done in"), 2) << said();
+    EXPECT_EQ(count(said(), "done in"), 2) << said();
 }
 
 // In one process, and in as many as there are fine ranks.
@@ -188,8 +183,8 @@ TEST_F(Study, OneThatFailsDoesNotStopThoseBesideIt) {
                    "inprocess", "--jobs", "3"}),
               2);
     const std::string text = text_of(folder / "out/study.csv");
-    EXPECT_EQ(occurrences(text, ",wrong input,2,"), 2) << text;
-    EXPECT_EQ(occurrences(text, ",done,0,"), 2) << text;
+    EXPECT_EQ(count(text, ",wrong input,2,"), 2) << text;
+    EXPECT_EQ(count(text, ",done,0,"), 2) << text;
 }
 
 TEST_F(Study, TableAndPageGrowWhileItRuns) {
@@ -198,14 +193,14 @@ TEST_F(Study, TableAndPageGrowWhileItRuns) {
         "stria",
         {"study", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--over", "load.steps=2,100000"},
         folder / "log");
-    ASSERT_TRUE(comes_true([&] { return occurrences(text_of(folder / "out/study.html"), "1 of 2 variants") == 1; }));
-    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",done,0,"), 1);
-    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",running,0,"), 1);
+    ASSERT_TRUE(comes_true([&] { return count(text_of(folder / "out/study.html"), "1 of 2 variants") == 1; }));
+    EXPECT_EQ(count(text_of(folder / "out/study.csv"), ",done,0,"), 1);
+    EXPECT_EQ(count(text_of(folder / "out/study.csv"), ",running,0,"), 1);
     EXPECT_NE(text_of(folder / "out/study.html").find("The study goes on"), std::string::npos);
     kill(study.pid(), SIGTERM);
     EXPECT_EQ(study.wait(std::chrono::seconds(60)), 130);
     EXPECT_EQ(text_of(folder / "out/study.html").find("The study goes on"), std::string::npos);
-    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",interrupted,130,"), 1);
+    EXPECT_EQ(count(text_of(folder / "out/study.csv"), ",interrupted,130,"), 1);
 }
 
 // The variant that runs goes on to its end: SIGINT is for the study alone, which a terminal would send to both.
@@ -215,12 +210,12 @@ TEST_F(Study, AnInterruptedOneIsNotDoneThoughAllThatHaveRunAre) {
                   {"study", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--over",
                    "load.steps=1000,1002,1004"},
                   folder / "log");
-    ASSERT_TRUE(comes_true([&] { return occurrences(text_of(folder / "out/study.csv"), ",running,0,") == 1; }));
+    ASSERT_TRUE(comes_true([&] { return count(text_of(folder / "out/study.csv"), ",running,0,") == 1; }));
     kill(study.pid(), SIGINT);
     EXPECT_EQ(study.wait(std::chrono::seconds(60)), 130) << study.said();
     const std::string left = text_of(folder / "out/study.csv");
-    EXPECT_GE(occurrences(left, ",not run,0,"), 1) << left;
-    EXPECT_EQ(occurrences(left, ",not run,0,") + occurrences(left, ",done,0,"), 3) << left;
+    EXPECT_GE(count(left, ",not run,0,"), 1) << left;
+    EXPECT_EQ(count(left, ",not run,0,") + count(left, ",done,0,"), 3) << left;
 }
 
 TEST_F(Study, AnInterruptedOneGoesOnFromTheCheckpointsOfItsVariants) {
@@ -231,7 +226,7 @@ TEST_F(Study, AnInterruptedOneGoesOnFromTheCheckpointsOfItsVariants) {
     words.insert(words.end(), rest.begin(), rest.end());
     Program study("stria", words, folder / "log");
     const std::string second = folder / "out/02-material.poisson=0.3/";
-    ASSERT_TRUE(comes_true([&] { return occurrences(text_of(second + "history.csv"), "\n") > 10; }));
+    ASSERT_TRUE(comes_true([&] { return count(text_of(second + "history.csv"), "\n") > 10; }));
     kill(study.pid(), SIGTERM);
     EXPECT_EQ(study.wait(std::chrono::seconds(60)), 130);
     ASSERT_TRUE(std::filesystem::exists(second + "checkpoint.h5")) << study.said();
@@ -257,15 +252,15 @@ TEST_F(Study, PrintsCommandsWhoseResultsItPicksUp) {
         return run(all);
     };
     ASSERT_EQ(with({"--print-commands"}), 0);
-    ASSERT_EQ(occurrences(said(), "\n"), 2);
+    ASSERT_EQ(count(said(), "\n"), 2);
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
     std::istringstream lines(said());
     std::string line;
     std::getline(lines, line);
     ASSERT_EQ(run_program("sh", {"-c", "cd / && " + line}, folder / "shell"), 0);
     ASSERT_EQ(with({"--jobs", "0"}), 0);
-    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",done,0,"), 1);
-    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",not run,0,"), 1);
+    EXPECT_EQ(count(text_of(folder / "out/study.csv"), ",done,0,"), 1);
+    EXPECT_EQ(count(text_of(folder / "out/study.csv"), ",not run,0,"), 1);
     ASSERT_EQ(with({"--print-commands=slurm"}), 0);
     std::ofstream(folder / "array.sh") << said();
     EXPECT_NE(said().find("#SBATCH --array=1-2\n"), std::string::npos) << said();
@@ -273,7 +268,7 @@ TEST_F(Study, PrintsCommandsWhoseResultsItPicksUp) {
     ASSERT_EQ(run_program("bash", {"-c", stands_for_sbatch, "sbatch", folder / "array.sh"}, folder / "shell"), 0);
     EXPECT_EQ(run_program("sh", {"-c", "SLURM_ARRAY_TASK_ID=3 bash " + (folder / "array.sh")}, folder / "shell"), 2);
     ASSERT_EQ(with({"--resume"}), 0) << said();
-    EXPECT_EQ(occurrences(said(), "done before"), 2) << said();
+    EXPECT_EQ(count(said(), "done before"), 2) << said();
 }
 
 TEST_F(Study, BadInputIsOneLineBeforeAnythingIsRun) {

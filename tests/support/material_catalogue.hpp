@@ -48,9 +48,9 @@ inline const std::vector<Law>& catalogue() {
             {"voce", curved(voce, {{3000.0, 0.0}})},
             {"softening", curved({.law = HardeningLaw::Voce, .Q = -80.0, .b = 20.0}, recalling)},
             {"power", curved({.law = HardeningLaw::Power, .n = 8.0, .alpha = 0.5, .reference = 400.0})},
-            {"table",
-             curved(
-                 {.law = HardeningLaw::Table, .plastic_strain = {0.0, 0.002, 0.01, 0.1}, .stress = {350.0, 380.0, 400.0, 450.0}})},
+            {"table", curved({.law = HardeningLaw::Table,
+                              .plastic_strain = {0.0, 0.002, 0.01, 0.1},
+                              .stress = {350.0, 380.0, 400.0, 450.0}})},
             {"recall", curved(voce, recalling)},
             {"threshold", linear_steel(0.0, {{50e3, 500.0, true}})},
             {"multilinear", curved(voce, multilinear)},

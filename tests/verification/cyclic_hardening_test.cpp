@@ -1,174 +1,24 @@
-// Uniaxial cycles of every law that hardens against the solution of its differential equations, which is in closed form
-// on each branch, and against published values (docs/references.md 6.4, 6.5, 8.6).
+// Uniaxial cycles of laws that harden against closed forms and published values (docs/references.md 6.4, 6.5, 8.6, 8.8,
+// 8.9).
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <iostream>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include "app/material/cyclic_test.hpp"
 #include "app/material/driven_point.hpp"
 #include "common/index.hpp"
 #include "fine/material/catalogue/material_catalogue.hpp"
-#include "fine/material/hardening_curve.hpp"
 #include "tests/support/comparison.hpp"
+#include "tests/support/cyclic_turns.hpp"
 #include "tests/support/material_catalogue.hpp"
 #include "tests/support/material_point.hpp"
-#include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
 namespace {
-
-/// A bar without error: on a branch of direction s dX = (s C(p) - gamma X) dp, an exponential in dp, and a back stress
-/// with a threshold grows by s C dp up to its limit.
-class ExactBar {
-public:
-    explicit ExactBar(const MaterialSection& material)
-        : material_(material), curve_(material), back_(material.kinematic.size(), 0.0) {}
-
-    void strain_to(double strain) {
-        const double s = strain > strain_ ? 1.0 : -1.0;
-        const double dp = flow([&](double by) { return s * (material_.young * (strain - plastic_ - s * by)); }, s);
-        go(s, dp);
-        strain_ = strain;
-    }
-
-    void load_to(double stress) {
-        const double s = stress > this->stress() ? 1.0 : -1.0;
-        go(s, flow([&](double) { return s * stress; }, s));
-        strain_ = plastic_ + stress / material_.young;
-    }
-
-    [[nodiscard]] double stress() const { return material_.young * (strain_ - plastic_); }
-    [[nodiscard]] double plastic_strain() const { return plastic_; }
-
-private:
-    [[nodiscard]] double back_stress(std::size_t k, double s, double dp) const {
-        const KinematicHardening& term = material_.kinematic[k];
-        const double linear = back_[k] + s * term.C * dp;
-        if (term.gamma == 0.0) return linear;
-        const double limit = term.C / term.gamma, left = std::exp(-term.gamma * dp);
-        if (term.threshold) return std::clamp(linear, -limit, limit);
-        const double missing = (term.C_start.value_or(term.C) - term.C) * std::exp(-term.C_rate * p_);
-        const double growing = missing * (std::exp(-term.C_rate * dp) - left) / (term.gamma - term.C_rate);
-        return s * (limit * (1.0 - left) + growing) + back_[k] * left;
-    }
-
-    /// s times the stress on the yield surface.
-    [[nodiscard]] double resistance(double s, double dp) const {
-        double sum = *material_.yield_stress + curve_.value(p_ + dp);
-        for (std::size_t k = 0; k < back_.size(); ++k) sum += s * back_stress(k, s, dp);
-        return sum;
-    }
-
-    /// The dp at which s times the stress that is asked for is borne.
-    template <class Asked> [[nodiscard]] double flow(const Asked& asked, double s) const {
-        if (asked(0.0) <= resistance(s, 0.0)) return 0.0;
-        double below = 0.0, above = 1.0;
-        for (int k = 0; k < 200; ++k) {
-            const double middle = 0.5 * (below + above);
-            (asked(middle) > resistance(s, middle) ? below : above) = middle;
-        }
-        return 0.5 * (below + above);
-    }
-
-    void go(double s, double dp) {
-        for (std::size_t k = 0; k < back_.size(); ++k) back_[k] = back_stress(k, s, dp);
-        p_ += dp;
-        plastic_ += s * dp;
-    }
-
-    const MaterialSection& material_;
-    fine::HardeningCurve curve_;
-    std::vector<double> back_;
-    double p_ = 0.0, plastic_ = 0.0, strain_ = 0.0;
-};
-
-/// Of one cycle: stress and plastic strain at its minimum and at the maximum that ends it.
-struct Turns {
-    double stress_at_min, stress_at_max, plastic_at_min, plastic_at_max;
-};
-
-std::vector<Turns> turns_of(const Case& input) {
-    std::vector<Turns> all;
-    const std::vector<material::TestRow> rows = material::go_through_cycles(input);
-    const int half = input.material_test->steps / 2;
-    for (std::size_t end = at(3 * half); end < rows.size(); end += at(2 * half)) {
-        const material::TestRow &minimum = rows[end - at(half)], &maximum = rows[end];
-        all.push_back({minimum.stress, maximum.stress, minimum.plastic_strain, maximum.plastic_strain});
-    }
-    return all;
-}
-
-/// Backward Euler is of first order: twice as many increments halve the error, and twice theirs less these have none.
-std::vector<Turns> extrapolated_turns(Case input) {
-    const std::vector<Turns> some = turns_of(input);
-    input.material_test->steps *= 2;
-    std::vector<Turns> more = turns_of(input);
-    for (std::size_t k = 0; k < more.size(); ++k)
-        for (double Turns::*value :
-             {&Turns::stress_at_min, &Turns::stress_at_max, &Turns::plastic_at_min, &Turns::plastic_at_max})
-            more[k].*value = 2.0 * more[k].*value - some[k].*value;
-    return more;
-}
-
-Case tested(const MaterialSection& material, PlaneState plane, TestControl control, LoadBlock block, int steps) {
-    Case input;
-    input.material = material;
-    input.model.plane = plane;
-    input.fine.substeps = 1;
-    input.material_test = {.control = control, .mode = TestMode::Uniaxial, .blocks = {block}, .steps = steps};
-    return input;
-}
-
-class CyclicBar : public testing::TestWithParam<Law> {};
-
-INSTANTIATE_TEST_SUITE_P(Catalogue, CyclicBar, testing::ValuesIn(catalogue().begin() + 1, catalogue().end()),
-                         [](const auto& law) { return law.param.name; });
-
-// Between strains of -0.2 and 1 %: what recalls loses its mean stress.
-TEST_P(CyclicBar, RelaxesItsMeanStress) {
-    const Law& law = GetParam();
-    if (!law.material.yield_stress) return;
-    const LoadBlock block{.cycles = 12, .max = 0.01, .min = -0.002};
-    const std::vector<Turns> found =
-        extrapolated_turns(tested(law.material, law.plane, TestControl::Strain, block, 400));
-    ExactBar exact(law.material);
-    exact.strain_to(block.max);
-    const double scale = exact.stress();
-    for (const Turns& turns : found) {
-        exact.strain_to(block.min);
-        const double at_min = exact.stress();
-        EXPECT_NEAR(turns.stress_at_min, at_min, 1e-4 * scale);
-        exact.strain_to(block.max);
-        EXPECT_NEAR(turns.stress_at_max, exact.stress(), 1e-4 * scale);
-        EXPECT_NEAR(turns.stress_at_max + turns.stress_at_min, exact.stress() + at_min, 1e-4 * scale);
-    }
-}
-
-// Between stresses that the metal bears and that make it flow.
-TEST_P(CyclicBar, RatchetsFromCycleToCycle) {
-    const Law& law = GetParam();
-    if (law.material.kinematic.empty()) return;
-    const LoadBlock block{.cycles = 8, .max = 430.0, .min = -380.0};
-    const std::vector<Turns> found =
-        extrapolated_turns(tested(law.material, law.plane, TestControl::Stress, block, 600));
-    ExactBar exact(law.material);
-    exact.load_to(block.max);
-    const double scale = exact.plastic_strain();
-    for (const Turns& turns : found) {
-        exact.load_to(block.min);
-        EXPECT_NEAR(turns.plastic_at_min, exact.plastic_strain(), 1e-4 * scale);
-        exact.load_to(block.max);
-        EXPECT_NEAR(turns.plastic_at_max, exact.plastic_strain(), 1e-4 * scale);
-    }
-}
 
 // Where the limits of the same curve are thresholds nothing ratchets.
 TEST(CyclicHardening, ThresholdsDoNotRatchetInABar) {
@@ -421,58 +271,6 @@ TEST(CyclicHardening, AFittedStructuralSteelSaturates) {
             .ours = last.stress_at_max,
             .within = 1e-4,
             .mesh = "200 and 400 a cycle"});
-}
-
-const std::vector<std::string> two_back_stresses_and_voce{
-    "material.kinematic=[{C=60e3, gamma=300.0}, {C=4e3, gamma=20.0}]",
-    "material.isotropic={law=\"voce\", Q=60.0, b=10.0}"};
-
-// What a run costs beside Prager's metal, in counts: the crack grows and closes in each of four cycles.
-TEST(CyclicHardening, AClosureRunWithTwoBackStressesLosesNoIncrement) {
-    const auto iterations = [](const std::vector<std::string>& metal) {
-        std::vector<std::string> scene{mesh_at_tip(0.4), "load.blocks=[{cycles=4, max=45.0, ratio=0.0}]",
-                                       "growth.increment=0.4", "closure.distance=0.5"};
-        scene.insert(scene.end(), metal.begin(), metal.end());
-        const RunHistory run = run_direct(sent_case(scene));
-        EXPECT_EQ(run.cuts, 0);
-        int count = 0;
-        for (const auto& [step, report] : run.attempts) count += report.count();
-        return count;
-    };
-    const int prager = iterations({"material.kinematic=[{C=4000.0}]"}),
-              recalling = iterations(two_back_stresses_and_voce);
-    EXPECT_LT(recalling, 1.1 * prager);
-}
-
-// The same of a crack that grows through small elements (bench/growing_cycle). What a point costs more is told beside
-// it: in plane strain Prager's metal returns in closed form.
-TEST(CyclicHardening, TwoBackStressesAskForLittleMoreThanPragersLong) {
-    struct Effort {
-        std::int64_t iterations = 0, points = 0;
-        double seconds = 0.0;
-    };
-    const auto effort_of = [](const char* plane, const std::vector<std::string>& metal) {
-        std::vector<std::string> scene{fmt::format("model.plane={}", plane),
-                                       "load.blocks=[{cycles=5, max=50.0, ratio=0.0}]"};
-        scene.insert(scene.end(), metal.begin(), metal.end());
-        const Case input = read_case(std::string(source_folder) + "/bench/growing_cycle/case.toml", scene);
-        const std::clock_t start = std::clock();
-        const RunHistory run = run_direct(input);
-        Effort effort{.points = run.increments.back().zone.work.points_evaluated};
-        for (const auto& [step, report] : run.attempts) effort.iterations += report.count();
-        effort.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-        return effort;
-    };
-    for (const char* plane : {"strain", "stress"}) {
-        const Effort prager = effort_of(plane, {}), recalling = effort_of(plane, two_back_stresses_and_voce);
-        std::cout << fmt::format(
-            "plane {}, Prager, two back stresses and Voce: {} and {} iterations, {} and {} points, "
-            "{:.2f} and {:.2f} s\n",
-            plane, prager.iterations, recalling.iterations, prager.points, recalling.points, prager.seconds,
-            recalling.seconds);
-        EXPECT_LT(10 * recalling.iterations, 11 * prager.iterations) << plane;
-        EXPECT_LT(10 * recalling.points, 11 * prager.points) << plane;
-    }
 }
 
 }  // namespace

@@ -30,11 +30,12 @@ struct Hrr {
 Case square_of(const Hrr& hrr) {
     Case input;
     input.model.plane = hrr.plane;
-    input.material = {.young = elastic_modulus,
-                      .poisson = 0.3,
-                      .yield_stress = 0.1 * reference_stress,
-                      .isotropic = {.law = HardeningLaw::Power, .n = hrr.n, .alpha = 1.0, .reference = reference_stress},
-                      .kinematic = {}};
+    input.material = {
+        .young = elastic_modulus,
+        .poisson = 0.3,
+        .yield_stress = 0.1 * reference_stress,
+        .isotropic = {.law = HardeningLaw::Power, .n = hrr.n, .alpha = 1.0, .reference = reference_stress},
+        .kinematic = {}};
     input.cracks = {{.points = {{-0.5, 0.0}, {0.0, 0.0}}, .contact = {}}};
     input.fine.radius = 0.4;
     input.solver.tolerance = 1e-9;  // of all forces: those about the tip are a millionth of them and less

@@ -5,93 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "common/error.hpp"
+#include "tests/support/spring.hpp"
 
 namespace stria::coarse {
 namespace {
-
-/// A spring with the force f(u), pulled by the load factor. `scale`: of its residual.
-class Spring : public Equilibrium {
-public:
-    std::function<double(double)> force = [](double x) { return x + x * x * x; };
-    std::function<double(double)> stiffness = [](double x) { return 1.0 + 3.0 * x * x; };
-    double scale = 1.0, interior = 0.0, contact = 0.0;
-    double u = 0.0, start = 0.0;
-    int applied = 0, parts = 0, looked = 0, provisional = 0;  // states that are
-    int wakes_at = -1;                                        // number of the state, from 0
-    int closed = 0;                                           // multipliers
-    std::vector<int> changes;                                 // of status, of the states to come
-    bool elastic = false;
-    int elastic_states = 0;
-    int yielding = 0, begun_apart = 0;
-    bool parts_slowly = false;  // unless it begins apart: no state balances
-    bool inside = false;        // its residual is one of the zone's
-    double condensed = 1.0;     // what condensing makes of it
-
-    void begin(const Target& target, const Predictor& predictor) override {
-        load_ = target.value;
-        u = start + predictor.factor;
-        begun_apart += predictor.apart ? 1 : 0;
-    }
-    Residual linearise() override {
-        residual_ = load_ - force(u);
-        if (parts_slowly && begun_apart == 0) residual_ = 1.0;
-        elastic_states += elastic ? 1 : 0;
-        return {.boundary = condensed * std::abs(residual_),
-                .nodal = std::abs(residual_),
-                .interior = inside ? std::abs(residual_) : interior,
-                .contact = contact,
-                .scale = scale,
-                .along = residual_ * correction_,
-                .along_before = before_,
-                .yielding_points = yielding,
-                .closed = closed,
-                .status_changes = next_changes(),
-                .provisional = provisional-- > 0,
-                .woken = wakes_at-- == 0};
-    }
-    double solve() override {
-        correction_ = residual_ / stiffness(u);
-        return std::abs(correction_) / std::max(std::abs(u), 1e-300);
-    }
-    void look_at_rest() override { ++looked; }
-    void set_elastic(bool is) override { elastic = is; }
-    void apply() override {
-        before_ = residual_ * correction_;
-        u += correction_;
-        ++applied;
-    }
-    void apply_further(double part) override {
-        u += part * correction_;
-        ++parts;
-    }
-    void put_aside() override {}
-    coupling::StepReport commit(const coupling::Commit&) override { return {}; }
-    void rollback() override {}
-    [[nodiscard]] LoadFactors factors() const override { return load_; }
-    [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override { return none_; }
-    [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return {}; }
-    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return nothing_; }
-    [[nodiscard]] MachineReading machine_reading() const override { return {}; }
-    [[nodiscard]] EquilibriumState state() const override { return {}; }
-    void restore(const EquilibriumState&) override {}
-
-private:
-    int next_changes() {
-        if (changes.empty()) return 0;
-        const int first = changes.front();
-        changes.erase(changes.begin());
-        return first;
-    }
-
-    std::vector<std::int32_t> none_;
-    double load_ = 0.0, residual_ = 0.0, correction_ = 0.0, before_ = 0.0;
-    Eigen::VectorXd nothing_;
-};
-
-const SolverSection solver{.tolerance = 1e-10, .max_iterations = 12, .max_cuts = 8};
 
 TEST(Newton, ConvergesQuadratically) {
     Spring spring;
@@ -102,102 +21,6 @@ TEST(Newton, ConvergesQuadratically) {
         const double before = report.iterations[k - 1].residual.boundary;
         EXPECT_LT(report.iterations[k].residual.boundary, before * before);  // f''/(2 f'^2) = 3/16 at the root
     }
-}
-
-TEST(Newton, StartsFromThePredictedState) {
-    Spring spring;
-    spring.start = 0.25;
-    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 0.75, solver);
-    EXPECT_TRUE(report.converged);
-    EXPECT_EQ(report.count(), 1);
-    EXPECT_EQ(spring.applied, 0);  // what is converged is not moved
-}
-
-TEST(Newton, BeginsAgainWhereTheGuessMisleads) {
-    Spring spring;
-    // Beyond u = 2 of the wrong sign: from there Newton's method runs away.
-    spring.stiffness = [](double u) { return (u > 2.0 ? -1.0 : 1.0) * (1.0 + 3.0 * u * u); };
-    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver);
-    ASSERT_TRUE(report.converged);
-    EXPECT_TRUE(report.was_misled());
-    EXPECT_EQ(report.lost.size(), 4U);
-    EXPECT_EQ(report.count(), static_cast<int>(report.lost.size() + report.iterations.size()));
-    EXPECT_NEAR(spring.u, 1.0, 1e-10);
-    EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver).was_misled());
-}
-
-// A fifth nearer in each iteration: no start that misleads by its fourth state, and none that leads there in time.
-TEST(Newton, BeginsAgainWhereTheGuessDoesNotConverge) {
-    Spring spring;
-    spring.scale = 100.0;
-    spring.force = [](double u) { return u <= 1.0 ? 2.0 * u : 2.0 + std::pow(u - 1.0, 5); };
-    spring.stiffness = [](double u) { return u <= 1.0 ? 2.0 : 5.0 * std::pow(u - 1.0, 4); };
-    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver);
-    ASSERT_TRUE(report.converged) << report.table();
-    EXPECT_EQ(report.lost.size(), solver.max_iterations + 1U);
-    EXPECT_TRUE(report.failure.empty());
-    spring.start = 3.0;
-    EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver).converged);
-}
-
-// Faces of slender arms part one by one, at any load: halving would help nothing.
-TEST(Newton, BeginsOnceMoreFromOpenFacesWhereThoseOfElasticMetalGoOnChanging) {
-    const auto from = [](int yielding, int changes, double held) {
-        Spring spring;
-        spring.parts_slowly = true;
-        spring.yielding = yielding;
-        spring.changes = {0, 0, 0, 0, changes};
-        const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0, held}, {}, solver);
-        EXPECT_EQ(report.converged, spring.begun_apart == 1);
-        EXPECT_EQ(report.failure.empty(), report.converged);
-        EXPECT_EQ(report.lost.empty(), !report.converged);
-        return report.converged;
-    };
-    EXPECT_TRUE(from(0, 1, 0.0));
-    EXPECT_FALSE(from(1, 1, 0.0)) << "a smaller load lets less flow";
-    EXPECT_FALSE(from(0, 0, 0.0)) << "no face changes";
-    EXPECT_FALSE(from(0, 1, 0.5)) << "faces that growth opens";
-}
-
-TEST(Newton, FromOpenFacesThatLeadNowhereEitherItSaysWhyItFailedBefore) {
-    Spring spring;
-    spring.parts_slowly = true;
-    spring.changes = {0, 0, 0, 0, 1};
-    spring.force = [&](double) { return spring.begun_apart > 0 ? NAN : 0.0; };
-    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, {}, solver);
-    EXPECT_EQ(spring.begun_apart, 1);
-    EXPECT_EQ(report.failure, "no convergence in 12 iterations (solver.max_iterations)");
-}
-
-// Of the same states condensing says more, by how much they are out of balance inside: as all modes do, so does it.
-TEST(Newton, JudgesAGuessByWhatTheNodesFeel) {
-    Spring spring;
-    spring.scale = 1e5;
-    SolverSection patient = solver;
-    patient.max_iterations = 20;
-    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 40.0, patient);
-    EXPECT_FALSE(report.was_misled());
-    const double fourth = report.iterations.at(3).residual.nodal;
-    EXPECT_LT(fourth, 1e4) << "a tenth of the forces";
-    Spring condensed;
-    condensed.scale = spring.scale;
-    condensed.condensed = 2e4 / fourth;
-    const NewtonReport same = find_equilibrium(condensed, {Control::Load, 2.0}, 40.0, patient);
-    EXPECT_FALSE(same.was_misled());
-    EXPECT_EQ(same.count(), report.count());
-}
-
-TEST(Newton, BeginsAgainWhereTheGuessCannotBeEvaluated) {
-    Spring spring;
-    spring.force = [](double u) {
-        if (u > 2.0) throw NumericalFailure("too far");
-        return u + u * u * u;
-    };
-    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver);
-    EXPECT_TRUE(report.converged);
-    EXPECT_TRUE(report.failure.empty());
-    spring.start = 3.0;
-    EXPECT_EQ(find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver).failure, "too far");
 }
 
 TEST(Newton, AsksForASmallResidual) {

@@ -4,41 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "coarse/load/load_controller.hpp"
+#include "tests/support/measured_legs.hpp"
 
 namespace stria::coarse {
 namespace {
-
-/// What an increment of a leg comes to whose openings are off by c w^2 for each increment over w.
-struct OffByTheSquare {
-    std::vector<double> ways;
-    double c;
-
-    [[nodiscard]] double off(std::size_t k) const { return c * std::pow(ways[k] - ways[k - 1], 2); }
-    /// Straight but for what the increments so far are off by.
-    [[nodiscard]] OpeningPath path() const {
-        OpeningPath path;
-        path.begin({1.0});
-        double opening = 1.0;
-        for (std::size_t k = 1; k < ways.size(); ++k) path.add(ways[k], {opening += ways[k] - ways[k - 1] + off(k)});
-        return path;
-    }
-    /// By twos from its end.
-    [[nodiscard]] std::vector<TwoAsOne> pairs() const {
-        std::vector<TwoAsOne> pairs;
-        const OpeningPath taken = path();
-        for (std::size_t k = 2 - ways.size() % 2; k + 2 < ways.size() + 1; k += 2) {
-            const double as_one = c * std::pow(ways[k + 1] - ways[k - 1], 2) - off(k) - off(k + 1);
-            pairs.push_back({ways[k - 1], ways[k + 1], {taken.opening[k + 1][0] + as_one}});
-        }
-        return pairs;
-    }
-};
 
 TEST(IncrementSchedule, KnowsHowFarALegIsOff) {
     for (const double c : {0.01, -0.3})
@@ -72,29 +46,6 @@ TEST(IncrementSchedule, GradesWaysAndKeepsTurns) {
     EXPECT_DOUBLE_EQ(graded_ways(2, 0.4)[1], std::pow(0.5, 0.4));
 }
 
-/// Increments of a leg that loads, after some of cycles that are off by c w^2 for each increment. `again`: the first of
-/// a pair is made again, and the pair tried before.
-int after(const LoadSection& load, double c, bool presses = false, bool again = false) {
-    IncrementSchedule schedule(load);
-    schedule.meet_at({}, presses);
-    const OffByTheSquare leg{schedule.ways(true), c};
-    const OpeningPath path = leg.path();
-    const std::vector<double> falling = schedule.ways(false);
-    for (int legs = 0; legs < 4; ++legs) {
-        EXPECT_EQ(schedule.ways(true), leg.ways) << "until one is measured";
-        schedule.begin(std::vector<double>(path.opening.front()));
-        if (schedule.measures(true, true))
-            for (const TwoAsOne& pair : leg.pairs()) {
-                if (again) schedule.add({pair.from, pair.to, {0.0}});
-                schedule.add(pair);
-            }
-        for (std::size_t k = 1; k < leg.ways.size(); ++k) schedule.add(leg.ways[k], path.opening[k]);
-        schedule.end_leg(true, legs > 0);
-    }
-    EXPECT_EQ(schedule.ways(false), falling) << "legs of the other direction";
-    return static_cast<int>(schedule.ways(true).size()) - 1;
-}
-
 // An error that falls with the square of the number comes below a third of the accuracy.
 TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
     const int begins = LoadSection().first_steps() / 2;
@@ -117,95 +68,6 @@ TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
     EXPECT_EQ(after({}, 1e-9), 4);
 }
 
-// Where faces meet an increment ends, and there are no more of them; of two places that are nearly one the first. The
-// increments in which faces close begin small.
-TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
-    IncrementSchedule schedule{LoadSection()};
-    const std::size_t ends = schedule.ways(false).size();
-    schedule.meet_at({0.7, 0.415, 0.42});
-    const std::vector<double>& ways = schedule.ways(false);
-    EXPECT_EQ(ways.size(), ends);
-    EXPECT_TRUE(std::ranges::is_sorted(ways));
-    for (const double place : {0.0, 0.415, 0.7, 1.0}) EXPECT_EQ(std::ranges::count(ways, place), 1) << place;
-    EXPECT_EQ(std::ranges::count(ways, 0.42), 0);
-    for (const double beside : {-0.01, 0.0, 0.01}) {  // the place of another end, or next to it
-        schedule.meet_at({graded_ways(static_cast<int>(ends) - 2, LoadSection().power())[2] + beside});
-        EXPECT_EQ(schedule.ways(false).size(), ends) << beside;
-    }
-    schedule.meet_at({0.3});
-    const auto closing = std::ranges::find(schedule.ways(false), 0.3);
-    ASSERT_GT(schedule.ways(false).end() - closing, 3);
-    for (auto way = closing + 2; way != schedule.ways(false).end(); ++way)
-        EXPECT_GT(way[0] - way[-1], way[-1] - way[-2]);
-    schedule.meet_at({0.3, 0.33});  // the first stays
-    EXPECT_EQ(std::ranges::count(schedule.ways(false), 0.3), 1);
-    schedule.meet_at({0.1, 0.3, 0.5, 0.8});  // behind many tips
-    EXPECT_EQ(schedule.ways(false).size(), ends);
-    EXPECT_EQ(schedule.ways(false).back(), 1.0);
-    schedule.meet_at({0.01, 0.99});
-    EXPECT_EQ(schedule.ways(false), graded_ways(static_cast<int>(ends) - 1, LoadSection().power()));
-    schedule.meet_at({});
-    EXPECT_EQ(schedule.ways(false), graded_ways(static_cast<int>(ends) - 1, LoadSection().power()));
-    IncrementSchedule given(LoadSection{.steps = 16, .blocks = {}});
-    given.meet_at({0.415});
-    EXPECT_EQ(std::ranges::count(given.ways(false), 0.415), 0) << "a number that is given still means that number";
-}
-
-// Before faces meet the tip flows back, and no opening tells later what that was off by.
-TEST(IncrementSchedule, TakesFourBeforeFacesMeetOnTheWayIntoCompression) {
-    const auto before = [](const LoadSection& load, bool presses) {
-        IncrementSchedule schedule{load};
-        schedule.meet_at({0.45}, presses);
-        const std::vector<double>& ways = schedule.ways(false);
-        EXPECT_TRUE(std::ranges::is_sorted(ways));
-        EXPECT_EQ(std::ranges::count(ways, 0.45), 1);
-        return std::ranges::find(ways, 0.45) - ways.begin();
-    };
-    EXPECT_EQ(before({}, true), 4);
-    EXPECT_LT(before({}, false), 3);
-    EXPECT_EQ(before({.accuracy = 0.0005, .blocks = {}}, true), 7);
-}
-
-// However many there are: else those that a measurement adds would all come behind that place.
-TEST(IncrementSchedule, SharesThemBeforeAndBehindWhereFacesMeet) {
-    IncrementSchedule schedule{LoadSection()};
-    IncrementSchedule::State state = schedule.state();
-    state.falling.increments = 24;
-    schedule.resume(state);
-    schedule.meet_at({0.4}, true);
-    const std::vector<double>& ways = schedule.ways(false);
-    EXPECT_EQ(ways.size(), 25U);
-    for (std::size_t k = 0; k <= 10; ++k) EXPECT_NEAR(ways[k], 0.04 * static_cast<double>(k), 1e-12);
-    schedule.meet_at({0.06}, true);  // no splinters
-    EXPECT_EQ(schedule.ways(false)[3], 0.06);
-    EXPECT_EQ(schedule.ways(false).size(), 25U);
-    schedule.meet_at({0.94}, true);
-    EXPECT_EQ(schedule.ways(false).size(), 1U + 10U + 3U);
-}
-
-// What few of them leave behind is off by ten times the accuracy in a cycle or two, and what few of them tell, tried as
-// fewer, is half of the number that it takes. The opening must be known, or nothing would be measured ever.
-TEST(IncrementSchedule, HasManyOnTheWayIntoCompressionUntilOneIsMeasured) {
-    const auto numbers = [](double opening, const std::vector<double>& meetings, bool presses, bool measured) {
-        IncrementSchedule schedule{LoadSection()};
-        IncrementSchedule::State state = schedule.state();
-        for (IncrementSchedule::Legs* legs : {&state.rising, &state.falling}) legs->knows_pressing = measured;
-        schedule.resume(state);
-        schedule.begin({opening});
-        schedule.meet_at(meetings, presses);
-        return std::pair{schedule.ways(false).size() - 1, schedule.ways(true).size() - 1};
-    };
-    const std::size_t begins = LoadSection().first_steps() / 2;
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(numbers(1.0, {}, true, false), (std::pair<std::size_t, std::size_t>{20, 12})) << "the first leg";
-    EXPECT_EQ(numbers(1.0, {0.4}, true, false).first, 20U);
-    EXPECT_EQ(numbers(1.0, {0.4}, true, true).first, 8U);
-    EXPECT_EQ(numbers(1.0, {}, true, true), std::pair(begins, begins));
-    EXPECT_EQ(numbers(1.0, {}, false, false), std::pair(begins, begins));
-    EXPECT_EQ(numbers(unknown, {}, true, false), std::pair(begins, begins));
-}
-
-// The first of a run, and not each that is as long after a measurement as the first one is due after the beginning.
 TEST(IncrementSchedule, HasManyInTheFirstLegAlone) {
     IncrementSchedule schedule{LoadSection()};
     const auto steps = [&] {
@@ -252,34 +114,6 @@ TEST(IncrementSchedule, ChoosesNoneWhereWaysAreGiven) {
     schedule.meet_at({0.7});
     for (const bool rises : {true, false}) EXPECT_EQ(schedule.ways(rises), (std::vector<double>{0.0, 0.3, 1.0}));
 }
-
-TEST(IncrementSchedule, TakesHalfAsManyWhereFacesMeetAsInLoading) {
-    IncrementSchedule schedule{LoadSection()};
-    IncrementSchedule::State state = schedule.state();
-    state.rising.increments = 15;
-    state.falling.increments = 4;
-    schedule.resume(state);
-    EXPECT_EQ(schedule.ways(false).size(), 5U);
-    schedule.meet_at({0.3});
-    EXPECT_EQ(schedule.ways(false).size(), 9U);
-    state.falling.increments = 10;
-    schedule.resume(state);
-    schedule.meet_at({0.3});
-    EXPECT_EQ(schedule.ways(false).size(), 11U);
-    schedule.meet_at({});
-    EXPECT_EQ(schedule.ways(false).size(), 11U);
-    EXPECT_EQ(schedule.ways(true).size(), 16U);
-    state.rising.increments = 18;
-    schedule.resume(state);
-    schedule.meet_at({0.3}, true);  // into compression
-    EXPECT_EQ(schedule.ways(false).size(), 11U);
-    state.rising.increments = state.falling.increments = 4;
-    schedule.resume(state);
-    schedule.meet_at({0.3}, true);
-    EXPECT_EQ(schedule.ways(false).size(), 9U);
-}
-
-// As where the zone has to grow first.
 TEST(IncrementSchedule, TakesTheLastTrialOfAPlace) {
     const LoadSection load{.accuracy = 0.01, .blocks = {}};
     EXPECT_EQ(after(load, 0.03, false, true), after(load, 0.03));

@@ -1,4 +1,4 @@
-// The bulk of the zone: repeatable evaluation, tangents, history that survives an extension, two-sided patches.
+// The bulk of the zone: repeatable evaluation, tangents, history that survives an extension.
 #include "common/enrichment/part_of_mesh.hpp"
 #include "fine/bulk/bulk_report.hpp"
 #include "fine/bulk/bulk_summary.hpp"
@@ -7,11 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "common/index.hpp"
 #include "fine/material/catalogue/material_catalogue.hpp"
-#include "tests/support/material_point.hpp"
 #include "tests/support/plate_bulk.hpp"
 
 namespace stria::test {
@@ -157,80 +155,6 @@ TEST(Bulk, PlasticPointsBelongToTheNearestTip) {
     }
 }
 
-// Rounding decides which points that come back to the yield stress flow by as little.
-TEST(BulkSummary, CountsNoFlowOfRounding) {
-    const Eigen::VectorXd u = random_vector(plate.unknowns, 4e-3, 1);
-    const auto extents_at = [&](double scale) {
-        Bulk bulk = make_bulk(plate, scene);
-        bulk.evaluate(scale * u);
-        bulk.commit(false);
-        return fine::BulkSummary(bulk).plastic_extents(plate)[0];
-    };
-    const auto yields_at = [&](double scale) {
-        Bulk bulk = make_bulk(plate, scene);
-        bulk.evaluate(scale * u);
-        bulk.commit(false);
-        bool yields = false;
-        for (int e = 0; e < bulk.elements().count(); ++e) yields = yields || bulk.history().is_plastic(e);
-        return yields;
-    };
-    double elastic = 0.0, flows = 1.0;
-    while (flows - elastic > 1e-6 * flows) {
-        const double middle = 0.5 * (elastic + flows);
-        (yields_at(middle) ? flows : elastic) = middle;
-    }
-    EXPECT_TRUE(extents_at(flows).flow_ever.empty());
-    EXPECT_TRUE(extents_at(flows).flow.empty()) << "nor of a half cycle";
-    EXPECT_FALSE(extents_at(1.1 * flows).flow_ever.empty());
-    EXPECT_FALSE(extents_at(1.1 * flows).flow.empty());
-}
-
-// After each commit as if all of them had been looked at: at rest, woken, and in a new half cycle.
-TEST(BulkSummary, LooksAtWhatMayHaveChanged) {
-    const Case input = plate_case({{0.0, 2.4}, {3.3, 2.6}});
-    const EnrichedMesh mesh = plate_mesh(6, 5, input);
-    Bulk bulk = make_bulk(mesh, input);
-    fine::BulkSummary summary(bulk);
-    const Eigen::VectorXd u = random_vector(mesh.unknowns, 4e-2, 1);
-    ElementSet half(bulk.elements().count());
-    for (int e = 0; e < half.size(); e += 2) half.insert(e);
-    const auto commit = [&](double share, bool reversal) {
-        const bool begins = bulk.history().half_cycle_ended();
-        bulk.evaluate(share * u);
-        bulk.commit(reversal);
-        summary.update(bulk, begins);
-    };
-    const auto expect_all_seen = [&] {
-        const fine::BulkSummary anew(bulk);
-        EXPECT_GT(anew.dissipation(), 0.0);
-        EXPECT_DOUBLE_EQ(summary.dissipation(), anew.dissipation());
-        EXPECT_DOUBLE_EQ(summary.stored_energy(), anew.stored_energy());
-        for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
-            const auto seen = summary.plastic_extents(mesh)[t], all = anew.plastic_extents(mesh)[t];
-            for (const auto shells :
-                 {&fine::BulkSummary::PlasticExtent::flow, &fine::BulkSummary::PlasticExtent::flow_ever}) {
-                ASSERT_EQ((seen.*shells).size(), (all.*shells).size());
-                for (std::size_t k = 0; k < (all.*shells).size(); ++k) {
-                    EXPECT_EQ((seen.*shells)[k].reach, (all.*shells)[k].reach);
-                    EXPECT_EQ((seen.*shells)[k].axis, (all.*shells)[k].axis);
-                }
-            }
-        }
-    };
-    commit(0.5, false);
-    expect_all_seen();
-    commit(1.0, true);
-    expect_all_seen();
-    bulk.rest(half, u);
-    commit(0.99, false);  // nothing flows, and no zone is left of the half cycle before
-    expect_all_seen();
-    EXPECT_TRUE(summary.plastic_extents(mesh)[0].flow.empty());
-    commit(0.0, false);
-    bulk.wake_all_but(ElementSet(half.size()));
-    for (const int e : half.members()) summary.look_at(bulk, e);
-    expect_all_seen();
-}
-
 TEST(Bulk, ElasticBulkIsLinear) {
     const Case elastic = plate_case(scene.cracks[0].points, false);
     const Eigen::VectorXd u = random_vector(plate.unknowns, 1e-2, 1);
@@ -308,47 +232,6 @@ TEST(Bulk, WhatItTakesOverIsAsIfItHadBeenMadeAnew) {
     EXPECT_GT(anew.counts().points_proven_elastic, 0);
     EXPECT_GT(yielding(anew), 0);
 }
-
-/// A crack through the whole plate; each side is strained uniformly beyond yield, in two steps along different paths.
-class TwoSidedPatch : public testing::TestWithParam<std::pair<Vec2, Vec2>> {};
-
-TEST_P(TwoSidedPatch, EachSideHasItsOwnUniformStress) {
-    const auto& [from, to] = GetParam();
-    const Case input = plate_case({from, to});
-    const EnrichedMesh mesh = plate_mesh(5, 5, input);
-    Bulk bulk = make_bulk(mesh, input);
-    std::array<MaterialPoint, 2> expected{MaterialPoint(input.material), MaterialPoint(input.material)};
-    using Gradient = Eigen::Matrix2d;
-    const std::array above{Gradient{{4e-3, 1e-3}, {-2e-3, 1e-3}}, Gradient{{-2e-3, 3e-3}, {1e-3, 6e-3}}};
-    const std::array below{Gradient{{-3e-3, 2e-3}, {2e-3, 4e-3}}, Gradient{{5e-3, 0.0}, {-1e-3, -4e-3}}};
-    Gradient last_above = Gradient::Zero(), last_below = last_above;
-    for (std::size_t step = 0; step < 2; ++step) {
-        bulk.evaluate(two_sided(
-            mesh, from, to, [&](const Vec2& x) -> Vec2 { return above[step] * x; },
-            [&](const Vec2& x) -> Vec2 { return below[step] * x; }));
-        bulk.commit(false);
-        expected[0].strain_by(strain_of(above[step] - last_above));
-        expected[1].strain_by(strain_of(below[step] - last_below));
-        last_above = above[step];
-        last_below = below[step];
-    }
-    const ZoneState state = state_of(bulk);
-    const Vec2 normal(from.y() - to.y(), to.x() - from.x());
-    for (std::size_t point = 0; point < state.x.size(); ++point) {
-        const bool is_above = (Vec2(state.x[point], state.y[point]) - from).dot(normal) > 0.0;
-        const Mandel stress = expected[is_above ? 0 : 1].last().stress();
-        EXPECT_LT((Mandel(state.stress.data() + 4 * point) - stress).norm(), 1e-12 * stress.norm());
-        EXPECT_GT(state.accumulated[point], 1e-3);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Angles, TwoSidedPatch,
-                         testing::Values(std::pair{Vec2{0.0, 2.4}, Vec2{5.0, 2.4}},
-                                         std::pair{Vec2{0.0, 1.2}, Vec2{5.0, 3.9}},
-                                         std::pair{Vec2{1.3, 0.0}, Vec2{3.1, 5.0}},
-                                         std::pair{Vec2{0.0, 0.7}, Vec2{4.6, 5.0}},
-                                         std::pair{Vec2{0.0, 2.001}, Vec2{5.0, 2.002}},  // slivers
-                                         std::pair{Vec2{0.0, 3.3}, Vec2{5.0, 1.05}}));
 
 }  // namespace
 }  // namespace stria::test
