@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "coarse/cycle/compliance_offset.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "common/index.hpp"
 
@@ -92,6 +91,9 @@ CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std
     : definition_(input.closure.definition), looks_ahead_(looks_ahead),
       peaks_between_ends_(CaseHistories(input).peak_between_ends()), control_(input.load.control),
       K_gradient_(input.load.K_gradient), signals_(closure.signals()) {
+    for (const BoundarySection& section : input.boundaries)
+        for (const std::optional<double>& moved : section.displacement)
+            moves_ = moves_ || (!section.load_case && moved.value_or(0.0) != 0.0);
     now_.tips.resize(tips.size());
     for (const Tip& tip : tips) touches_.push_back(input.cracks[at(tip.crack)].contact.has_value());
     for (std::size_t k = 0; k < input.load_cases.size(); ++k)
@@ -155,8 +157,9 @@ void CycleMeter::add(const Increment& increment) {
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
         reached.push_back({tip.x, tip.y, tip.way, increment.nominal[t].K_I, increment.K_at_end(t), due[t], tip.CTOD,
-                           tip.opening, tip.CMOD, increment.load_factor, stands ? tip.plastic_zone : 0.0,
-                           stands ? tip.plastic_zone_axis : 0.0, half_cycle_rises(increment, t)});
+                           tip.opening, tip.CMOD, increment.load_factor, force_on_body(increment),
+                           stands ? tip.plastic_zone : 0.0, stands ? tip.plastic_zone_axis : 0.0,
+                           half_cycle_rises(increment, t)});
         if (now_.x.size() > t) continue;
         now_.x.push_back(tip.x);
         now_.y.push_back(tip.y);
@@ -242,10 +245,10 @@ void CycleMeter::note_zone(CycleResult& cycle, const Increment& increment, std::
 // Each way goes on from where the other one ended, with the crack as it has grown there.
 void CycleMeter::note_mouth(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const {
     if (rise_of_load(increment) == 0.0) return;
-    CycleMemory::Path& path = half_cycle_rises(increment, t) ? tip.up : tip.down;
-    if (path.load.empty() && t < now_.last.size()) path = {{now_.last[t].load_factor}, {now_.last[t].CMOD}};
-    path.load.push_back(increment.load_factor);
-    path.mouth.push_back(increment.tips[t].CMOD);
+    MouthPath& path = half_cycle_rises(increment, t) ? tip.up : tip.down;
+    if (path.opening.empty() && t < now_.last.size())
+        path.add(now_.last[t].load_factor, now_.last[t].force, now_.last[t].CMOD);
+    path.add(increment.load_factor, force_on_body(increment), increment.tips[t].CMOD);
 }
 
 std::vector<double> peaks_ahead(const Increment& increment, const std::vector<LoadFactors>& loads) {
@@ -281,7 +284,7 @@ std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
         cycle.da = way_gone(end, t);
         for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(tip.signal[s].loads(cycle.K_min));
         if (signals_.tension > 0) cycle.tension = tip.signal[signals_.contact].loads(cycle.K_min);
-        const std::optional<double> opened = opened_by_offset(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
+        const std::optional<double> opened = opened_by_offset(tip.down, tip.up);
         if (opened) cycle.offset.K_op = end.K + end.unit_K * (*opened - end.load_factor);
         cycle.offset.lost = !opened;
         if (!touches_[t]) cycle.close_below_zero();

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "coarse/cycle/compliance_offset.hpp"
 #include "coarse/cycle/increment.hpp"
 #include "coarse/cycle/signal_of_cycle.hpp"
 #include "common/crack/tip.hpp"
@@ -11,22 +12,19 @@ namespace stria::coarse {
 
 /// What a meter has seen of the present cycle, and of what it starts from.
 struct CycleMemory {
-    struct Path {
-        std::vector<double> load, mouth;
-    };
     struct Tip {
         CycleResult cycle;
         bool has_fallen = false;  // K, in this cycle
         CycleResult rest = {};    // extremes of what a load that lags still adds to the rise of the cycle before
         std::vector<SignalOfCycle> signal;
-        Path down, up;
+        MouthPath down, up;
     };
     struct Station {                   // what the next increment, or cycle, starts from
         double x = 0.0, y = 0.0;       // of the tip, mm
         double way = 0.0;              // along its crack, mm
         double unit_K = 0.0, K = 0.0;  // nominal: of the load of [load] at its factor 1, and of all there is
         double K_due = 0.0;            // what is asked of the crack as it has grown there, less K
-        double CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0;
+        double CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0, force = 0.0;  // force: P of the compliance
         double zone = 0.0, zone_axis = 0.0;  // plastic, mm, of flow while the load stood
         bool rose = false;                   // the half cycle that it ends, or stands at the end of
     };
@@ -91,12 +89,18 @@ private:
     void note_signals(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
     void note_slip(CycleResult& cycle, const Increment& increment, std::size_t t) const;
     void note_zone(CycleResult& cycle, const Increment& increment, std::size_t t) const;
+    /// P of the compliance at the mouth: what holds the boundaries that [load] moves, for how far they move is no
+    /// force; of a load made of forces its factor.
+    [[nodiscard]] double force_on_body(const Increment& increment) const {
+        return moves_ ? increment.machine.imposed_force : increment.load_factor;
+    }
     void note_mouth(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;
     bool looks_ahead_ = false, peaks_between_ends_ = false;
     Control control_ = Control::Load;
     double K_gradient_ = 0.0;       // LoadSection
+    bool moves_ = false;            // [load] does so to a boundary
     std::vector<int> follow_main_;  // load cases whose factor is one of [load]
     std::vector<bool> touches_;     // of each tip, whether the faces of its crack have contact
     ClosureMeter::Signals signals_;

@@ -56,10 +56,10 @@ STRIA_MEMBERS(TipResult, a, x, y, way, K_I, K_II, K_I_of_wake, K_II_of_wake, T_s
               rings_flow, CTOD, CMOD, opening, contact_length, plastic_zone, plastic_zone_axis, K_initial, K_II_initial,
               K_I_of_cases, K_II_of_cases)
 STRIA_MEMBERS(SignalOfCycle, found, rising, rest, changed, was_open)
-STRIA_MEMBERS(CycleMemory::Path, load, mouth)
+STRIA_MEMBERS(MouthPath, load_factor, force, opening)
 STRIA_MEMBERS(CycleMemory::Tip, cycle, has_fallen, rest, signal, down, up)
-STRIA_MEMBERS(CycleMemory::Station, x, y, way, unit_K, K, K_due, CTOD, opening, CMOD, load_factor, zone, zone_axis,
-              rose)
+STRIA_MEMBERS(CycleMemory::Station, x, y, way, unit_K, K, K_due, CTOD, opening, CMOD, load_factor, force, zone,
+              zone_axis, rose)
 STRIA_MEMBERS(CycleMemory, cycle, last_target, tips, last, x, y, way, rises_on)
 STRIA_MEMBERS(EquilibriumState, load_factor, cases, displacement, increments, load_increments, whole, whole_increments)
 STRIA_MEMBERS(AnalysisState::Polyline, x, y, grown_at_start)

@@ -29,6 +29,7 @@ protected:
         if (input.load.control == Control::Displacement && !moved_to)
             increment.step.target.control = Control::Displacement;
         increment.machine.displacement = moved_to.value_or(load);
+        if (force_of_load) increment.machine.imposed_force = force_of_load(load);
         increment.step.target.value = increment.load_factor = load;
         increment.cases_before = std::exchange(cases_before, cases);
         increment.step.target.cases = cases;
@@ -65,6 +66,7 @@ protected:
     bool told = true;                       // K, by a ring
     double J_of_load = 1.0;
     std::function<double(double)> mouth_of_load;  // mm; absent: the load
+    std::function<double(double)> force_of_load;  // that holds what is moved, N; absent: nothing is
     double moment = 1.0;                          // cycles
     std::optional<double> moved_to;               // mm, the boundary, by what is no displacement controlled
 };

@@ -220,5 +220,16 @@ TEST_F(CycleMeterTest, SaysNothingOfACrackThatStaysClosed) {
     EXPECT_TRUE(std::isnan(meter.finish().at(0).opening.K_op));
 }
 
+// The mouth follows the boundary, and the body is stiffer where faces touch: below 8.
+TEST_F(CycleMeterTest, TheComplianceIsThatOfTheForceWhereABoundaryIsMoved) {
+    force_of_load = [](double moved) { return moved > 8.0 ? moved : 8.0 - 1.2 * (8.0 - moved); };
+    input.boundaries.emplace_back().displacement = {std::nullopt, 1.0};
+    meter = CycleMeter(input, closure, tips);
+    for (int load = 1; load <= 20; ++load) go(0, load, 1.0, false);
+    for (int load = 19; load >= 0; --load) go(1, load, 1.0, false);
+    for (int load = 1; load <= 20; ++load) go(1, load, 1.0, false);
+    EXPECT_NEAR(meter.finish().at(0).offset.K_op, 80.0, 10.0);
+}
+
 }  // namespace
 }  // namespace stria::coarse

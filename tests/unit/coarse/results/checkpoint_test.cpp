@@ -75,7 +75,7 @@ Checkpoint some_checkpoint() {
     state.cycle.tips.resize(1);
     state.cycle.tips[0].signal.resize(2);
     state.cycle.tips[0].signal[1].rest.K_op = 7.0;
-    state.cycle.tips[0].up = {{1.0}, {2.0}};
+    state.cycle.tips[0].up = {{1.0}, {3.0}, {2.0}};
     state.cycle.last = {
         {.unit_K = 1.0, .K = -0.0, .CMOD = 3.0, .load_factor = 4.0, .zone = 5.0, .zone_axis = 6.0, .rose = true}};
     state.last_cycle.resize(1);
@@ -144,7 +144,8 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.recorder.fields.at(1).time, 30.0);
     EXPECT_TRUE(std::isnan(out.analysis.cycle.tips.at(0).signal.at(1).found.K_op));
     EXPECT_EQ(out.analysis.cycle.tips[0].signal[1].rest.K_op, 7.0);
-    EXPECT_EQ(out.analysis.cycle.tips[0].up.mouth, in.analysis.cycle.tips[0].up.mouth);
+    EXPECT_EQ(out.analysis.cycle.tips[0].up.opening, in.analysis.cycle.tips[0].up.opening);
+    EXPECT_EQ(out.analysis.cycle.tips[0].up.force, in.analysis.cycle.tips[0].up.force);
     EXPECT_EQ(out.analysis.cycle.last.at(0).zone_axis, 6.0);
     EXPECT_TRUE(out.analysis.cycle.last[0].rose);
     EXPECT_EQ(out.analysis.last_cycle.at(0).dN, 1.0);
