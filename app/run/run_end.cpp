@@ -81,6 +81,7 @@ coarse::Summary summary_of(const coarse::FatigueAnalysis& analysis, const coarse
     if (analysis.life_is_over()) summary.life = summary.N;
     summary.last = recorder.last_rows();
     summary.K_initial = recorder.last_K_initial();
+    summary.closure_distance = analysis.closure().opening_at();
     return summary;
 }
 

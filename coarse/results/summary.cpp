@@ -13,7 +13,7 @@ Json to_json(const Timing& timing) {
     return seconds;
 }
 
-Json last_values(const HistoryRow& row, double K_initial) {
+Json last_values(const HistoryRow& row, double K_initial, double closure_distance) {
     return {{"tip", row.tip ? Json(*row.tip) : Json()},
             {"increment", row.increment},
             {"cycle", row.cycle},
@@ -29,15 +29,19 @@ Json last_values(const HistoryRow& row, double K_initial) {
             {"T_stress", row.T_stress},
             {"J_spread", row.J_spread},
             {"K_spread", row.K_spread},
-            {"K_initial", K_initial}};
+            {"K_initial", K_initial},
+            {"closure_distance", closure_distance}};
 }
 
 }  // namespace
 
 Json to_json(const Summary& summary) {
     Json tips = Json::array();
+    const auto of_tip = [](const std::vector<double>& values, std::size_t t) {
+        return t < values.size() ? values[t] : missing;
+    };
     for (std::size_t t = 0; t < summary.last.size(); ++t)
-        tips.push_back(last_values(summary.last[t], t < summary.K_initial.size() ? summary.K_initial[t] : missing));
+        tips.push_back(last_values(summary.last[t], of_tip(summary.K_initial, t), of_tip(summary.closure_distance, t)));
     Json object{{"status", to_text(summary.status)},
                 {"version", summary.version},
                 {"mode", summary.mode},

@@ -34,9 +34,10 @@ struct Summary {
     coupling::WorkCounts work;   // of both components
     std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;  // of each fine rank
     Timing timing;
-    std::vector<HistoryRow> last;       // last row of each tip
-    std::vector<double> K_initial;      // there, of the initial stress alone, MPa sqrt(mm)
-    std::vector<std::string> warnings;  // of the mesh
+    std::vector<HistoryRow> last;          // last row of each tip
+    std::vector<double> K_initial;         // there, of the initial stress alone, MPa sqrt(mm)
+    std::vector<double> closure_distance;  // behind each tip, mm; shorter where none is looked at
+    std::vector<std::string> warnings;     // of the mesh
 };
 
 Json to_json(const Summary& summary);
