@@ -4,14 +4,21 @@
     tools/cross_check.py RESULTS
 
 RESULTS is the folder of a run with output.history = "all" and one history of loads. Made anew are the columns that
-docs/notation.md defines by increments or by one another: a, da, ranges, plastic zones, J_max, iterations, U, dK_eff, N;
-and of history.csv what is left of the balance of work. Exit code 1 where something differs.
+docs/notation.md defines by increments or by one another: a, da, ranges, plastic zones, J_max, iterations, U, dK_eff, N,
+the opening load by the compliance of the mouth, and the cycles that a law of da/dN takes (cross_check_lives.py); of
+history.csv what is left of the balance of work; and the last values in summary.json. Exit code 1 where something differs.
+tools/cross_check_fields.py looks at the fields.
 """
 
 import csv
+import json
 import math
 import sys
+import tomllib
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import cross_check_lives  # noqa: E402
 
 EXACT, WRITTEN = 1e-9, 1e-6  # of a number that is copied; of one that is made of others
 
@@ -35,9 +42,17 @@ def smallest(rows, column):
     return -largest([{column: -row[column]} for row in rows], column)
 
 
+def tell_what_drives(case, history):
+    """Notes in each row what the history of loads is of: the load factor, or the displacement that is controlled."""
+    column = "displacement" if case["load"]["control"] == "displacement" else "load_factor"
+    size = max(abs(row[column]) for row in history) or 1.0
+    for row in history:
+        row["driven"] = round(row[column] / size, 9)
+
+
 def grows(row, before):
     """Whether a row is of new faces, at the load of the row in front of it."""
-    return row["cycle"] == before["cycle"] and row["load_factor"] == before["load_factor"]
+    return row["cycle"] == before["cycle"] and row["driven"] == before["driven"]
 
 
 class Cycle:
@@ -54,8 +69,8 @@ class Cycle:
         self.before = rows[begin - 1]
         self.grown = rows[begin : within[0]]
         own = [rows[k] for k in within]
-        turn = min(range(len(own)), key=lambda k: own[k]["load_factor"])
-        at_turn = [k for k in range(turn, len(own)) if own[k]["load_factor"] == own[turn]["load_factor"]]
+        turn = min(range(len(own)), key=lambda k: own[k]["driven"])
+        at_turn = [k for k in range(turn, len(own)) if own[k]["driven"] == own[turn]["driven"]]
         self.unloading, self.loading = own[: at_turn[-1] + 1], own[at_turn[-1] + 1 :]
         self.last = own[-1]
         # Where a crack grows at the minimum, loading begins with the longer one, at tips that stand too.
@@ -73,6 +88,31 @@ class Cycle:
         if grown["contact_length"] > 0.0:
             there = max(there, min(grown["opening"], 0.0))
         return min(there, smallest(self.loading, "opening"))
+
+    def opened_by_offset(self, force):
+        """The load factor at which the compliance at the mouth is 2 % below that of the open crack; NaN: nobody tells."""
+        down = ([self.grown[-1]] if self.grown else [self.before]) + self.unloading
+        up = self.unloading[-1:] + self.loading
+        top, bottom = down[0][force], down[-1][force]
+        upper = top - 0.25 * (top - bottom)
+        k = next((k for k, row in enumerate(down) if k > 0 and row[force] <= upper), None)
+        if k is None or not down[0]["CMOD"] - down[-1]["CMOD"] >= 1e-10:
+            return math.nan
+        part = (down[k - 1][force] - upper) / (down[k - 1][force] - down[k][force])
+        there = down[k - 1]["CMOD"] + part * (down[k]["CMOD"] - down[k - 1]["CMOD"])
+        of_open = (down[0]["CMOD"] - there) / (top - upper)
+        longest = 0.1 * (up[-1][force] - up[0][force]) * (1.0 + 1e-9)
+        above = None
+        for row, before in zip(up[:0:-1], up[-2::-1]):
+            segment = row[force] - before[force]
+            if not (of_open > 0.0 and 0.0 < segment <= longest):
+                return math.nan
+            middle = 0.5 * (row["load_factor"] + before["load_factor"])
+            offset = 1.0 - (row["CMOD"] - before["CMOD"]) / segment / of_open
+            if offset >= 0.02:
+                return middle + (above[0] - middle) * (offset - 0.02) / (offset - above[1]) if above else math.nan
+            above = middle, offset
+        return up[0]["load_factor"]
 
     def way(self, da):
         """From tip to tip or, where it turns on its way, what its crack grows by: what `da` is nearer to."""
@@ -100,23 +140,39 @@ def of_opening(row):
     return {"U": opened / whole, "dK_eff": opened} if whole > 0.0 and not math.isnan(opened) else {}
 
 
+def K_of_unit_load(row, end):
+    """By `row` of a cycle and the increment at its `end`."""
+    return (row["K_max"] - row["K_initial"]) / end["load_factor"]
+
+
 def load_asked(row, end):
     """At the minimum of a cycle under control of K, by `row` of its first tip and the increment at its `end`."""
-    K_of_unit_load = (row["K_max"] - row["K_initial"]) / end["load_factor"]
-    return (row["K_min"] - row["K_initial"]) / K_of_unit_load
+    return (row["K_min"] - row["K_initial"]) / K_of_unit_load(row, end)
+
+
+def K_op_offset(case, row, cycle):
+    """Where only [load] makes K, and opens the tip as it rises; else the one that is in the row."""
+    moves = any(x not in ("free", 0.0) for one in case["boundary"] if "case" not in one for x in one.get("displacement", []))
+    unit = K_of_unit_load(row, cycle.last) if cycle.last["load_factor"] != 0.0 else 0.0
+    touches = any("contact" in crack for crack in case["crack"])
+    if case.get("load_case") or not touches or not unit > 0.0:
+        return row["K_op_offset"]
+    opened = cycle.opened_by_offset("load" if moves else "load_factor")
+    return row["K_initial"] + unit * opened
 
 
 def faults(folder):
     """Lines that say what differs."""
-    controls_K = 'control = "K"' in (folder / "case.resolved.toml").read_text(encoding="utf-8")
+    case = tomllib.loads((folder / "case.resolved.toml").read_text(encoding="utf-8"))
     history, cycles = table(folder / "history.csv"), table(folder / "cycles.csv")
+    tell_what_drives(case, history)
     wrong, N = [], 0.0
     for row in cycles:
         name = f"cycle {row['cycle']:g}, tip {row['tip']:g}"
         size = abs(row["K_max"])
         cycle = Cycle([one for one in history if one["tip"] == row["tip"]], row["cycle"])
         if row["tip"] == cycles[0]["tip"]:
-            asked = load_asked(row, cycle.last) if controls_K else math.nan
+            asked = load_asked(row, cycle.last) if case["load"]["control"] == "K" else math.nan
         expected = cycle.columns(asked, row["da"])
         if row["J_max"] < expected["J_max"][0]:  # without contact pressed faces overlap, and do not count
             expected["J_max"] = largest([one for one in cycle.loading if one["load_factor"] >= 0.0], "J"), WRITTEN
@@ -124,12 +180,26 @@ def faults(folder):
         if row["tip"] == cycles[0]["tip"]:
             N += row["dN"]
         expected["N"] = N, WRITTEN
+        expected["K_op_offset"] = K_op_offset(case, row, cycle), WRITTEN
         for column, (value, tolerance) in expected.items():
-            if not same(row[column], value, tolerance, size if column == "dK_eff" else 0.0):
+            if not same(row[column], value, tolerance, size if column in ("dK_eff", "K_op_offset") else 0.0):
                 wrong.append(f"{name}: {column} is {row[column]:.9g}, by increments {value:.9g}")
         if row["K_op"] > row["K_max"] + WRITTEN * size or row["K_op"] < row["K_min"] - WRITTEN * size:
             wrong.append(f"{name}: K_op {row['K_op']:.9g} is outside {row['K_min']:.9g} to {row['K_max']:.9g}")
-    return wrong + unbalanced(history)
+    summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    return wrong + cross_check_lives.faults(case, history, cycles) + unbalanced(history) + other_ends(summary, history, cycles)
+
+
+def other_ends(summary, history, cycles):
+    """Last values in summary.json that are not those of the tables."""
+    wrong = []
+    for tip in summary["tips"]:
+        last = [row for row in history if row["tip"] == tip["tip"]][-1]
+        wrong += [f"summary.json: {name} of tip {tip['tip']} is {value}, in history.csv {last[name]:.9g}"
+                  for name, value in tip.items() if name in last and not same(math.nan if value is None else value, last[name], EXACT)]
+    if cycles and summary["N"] is not None and not same(summary["N"], cycles[-1]["N"], EXACT):
+        wrong.append(f"summary.json: N is {summary['N']}, in cycles.csv {cycles[-1]['N']:.9g}")
+    return wrong
 
 
 def unbalanced(history):
