@@ -68,6 +68,7 @@ class Cycle:
             begin -= 1
         self.before = rows[begin - 1]
         self.grown = rows[begin : within[0]]
+        self.start = self.grown[-1] if self.grown else self.before
         own = [rows[k] for k in within]
         turn = min(range(len(own)), key=lambda k: own[k]["driven"])
         at_turn = [k for k in range(turn, len(own)) if own[k]["driven"] == own[turn]["driven"]]
@@ -75,7 +76,7 @@ class Cycle:
         self.last = own[-1]
         # Where a crack grows at the minimum, loading begins with the longer one, at tips that stand too.
         self.at_growth = own[at_turn[-1]] if len(at_turn) > 1 else None
-        self.of_range = own[at_turn[-1] :] if self.at_growth else own
+        self.of_range = own[at_turn[-1] :] if self.at_growth else [self.start] + own
 
     def least_opening(self, asked):
         """`asked`: the load factor of the minimum, where another one is asked of the longer crack; else NaN."""
@@ -91,7 +92,7 @@ class Cycle:
 
     def opened_by_offset(self, force):
         """The load factor at which the compliance at the mouth is 2 % below that of the open crack; NaN: nobody tells."""
-        down = ([self.grown[-1]] if self.grown else [self.before]) + self.unloading
+        down = [self.start] + self.unloading
         up = self.unloading[-1:] + self.loading
         top, bottom = down[0][force], down[-1][force]
         upper = top - 0.25 * (top - bottom)
@@ -166,11 +167,16 @@ def faults(folder):
     case = tomllib.loads((folder / "case.resolved.toml").read_text(encoding="utf-8"))
     history, cycles = table(folder / "history.csv"), table(folder / "cycles.csv")
     tell_what_drives(case, history)
-    wrong, N = [], 0.0
+    wrong, N, fell = [], 0.0, {}
     for row in cycles:
         name = f"cycle {row['cycle']:g}, tip {row['tip']:g}"
         size = abs(row["K_max"])
         cycle = Cycle([one for one in history if one["tip"] == row["tip"]], row["cycle"])
+        falls_on = fell.get(row["tip"], False)  # a cycle whose own maximum is below its minimum, and the one behind it
+        fell[row["tip"]] = not cycle.loading
+        if falls_on or not cycle.loading:
+            N += row["dN"] if row["tip"] == cycles[0]["tip"] else 0.0
+            continue
         if row["tip"] == cycles[0]["tip"]:
             asked = load_asked(row, cycle.last) if case["load"]["control"] == "K" else math.nan
         expected = cycle.columns(asked, row["da"])

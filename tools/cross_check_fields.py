@@ -71,10 +71,14 @@ class Field:
         return numpy.stack([gradient[:, 0, 0], gradient[:, 1, 1], gradient[:, 0, 1] + gradient[:, 1, 0]], 1)
 
     def section(self, y):
-        """What a horizontal section bears, N/mm, along x and y."""
+        """What a horizontal section bears, N/mm, along x and y; nothing where it leaves a row of equally high cells: means
+        over cells add up to the load in such a row."""
         begin, end = self.corners(), numpy.roll(self.corners(), -1, 1)
         below, above = begin[:, :, 1] - y, end[:, :, 1] - y
         is_cut = below * above < 0.0
+        row = begin[is_cut.any(1), :, 1]
+        if numpy.ptp(row.min(1)) + numpy.ptp(row.max(1)) > ROUNDING * (row.max() - row.min()):
+            return None
         rise = numpy.where(is_cut, above - below, 1.0)
         x = begin[:, :, 0] - below / rise * (end[:, :, 0] - begin[:, :, 0])
         right, left = numpy.where(is_cut, x, -numpy.inf).max(1), numpy.where(is_cut, x, numpy.inf).min(1)
@@ -137,8 +141,8 @@ def section_error(case, field, row):
     forces = [field.section(y.min() + part * (y.max() - y.min())) for part in (0.0313, 0.1717, 0.8431, 0.9797)]
     given = [one.get("traction") or one.get("displacement") for one in case["boundary"] if one["on"] == lone]
     upright = all(value and value[0] in (0.0, "free") for value in given)
-    told = [abs(force[1]) if upright else numpy.hypot(*force) for force in forces]
-    return max(abs(one - abs(row["load"])) for one in told)
+    told = [abs(force[1]) if upright else numpy.hypot(*force) for force in forces if force is not None]
+    return max((abs(one - abs(row["load"])) for one in told), default=0.0)
 
 
 def faults(folder):
