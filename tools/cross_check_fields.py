@@ -132,17 +132,28 @@ def of_one_field(case, field, row, tips, largest_load):
     return wrong
 
 
+def direction(case):
+    """Of the load: of what [load] puts on the first boundary that it loads or moves. None: it is no vector."""
+    given = {}
+    for one in case["boundary"]:
+        if "case" in one:
+            continue
+        if "traction" not in one and "displacement" not in one or numpy.any(one.get("traction_gradient", 0.0)):
+            return None
+        value = [0.0 if x == "free" else x for x in one.get("traction") or one["displacement"]]
+        given[one["on"]] = given.get(one["on"], numpy.zeros(2)) + value
+    return next((value / numpy.hypot(*value) for value in given.values() if value.any()), None)
+
+
 def section_error(case, field, row):
     """By how much horizontal sections bear another load; 0 where one may."""
-    lone = case["boundary"][0]["on"]
     if any(one["on"] not in ("top", "bottom") or "travelling" in one for one in case["boundary"]) or row["load"] != row["load"]:
         return 0.0
     y = field.points[:, 1]
     forces = [field.section(y.min() + part * (y.max() - y.min())) for part in (0.0313, 0.1717, 0.8431, 0.9797)]
-    given = [one.get("traction") or one.get("displacement") for one in case["boundary"] if one["on"] == lone]
-    upright = all(value and value[0] in (0.0, "free") for value in given)
-    told = [abs(force[1]) if upright else numpy.hypot(*force) for force in forces if force is not None]
-    return max((abs(one - abs(row["load"])) for one in told), default=0.0)
+    along = direction(case)
+    told = [force @ along for force in forces if force is not None and along is not None]
+    return max((abs(abs(one) - abs(row["load"])) for one in told), default=0.0)
 
 
 def faults(folder):
