@@ -1,7 +1,10 @@
 #!/usr/bin/python3
-"""Checks what sources and documents cite: documents, their sections and entries, links, paths. Also that lines are short."""
+"""Checks what sources and documents cite: documents, their sections and entries, links, paths, classes. Also that lines
+are short, and that the runs of a page go into folders of their own: a second one into one folder is refused."""
 
+import functools
 import re
+import shlex
 import sys
 from pathlib import Path
 
@@ -21,6 +24,10 @@ HEADING = re.compile(r"^#+ +(\d+(?:\.\d+)*)\b", re.MULTILINE)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 # A path in backticks, as `coarse/zone/zone_selection.cpp:select_zone` or `coarse/zone/`.
 PLACE = re.compile(r"`((?:%s)/[\w/.-]*)(?::~?\w+)?`" % "|".join(FOLDERS))
+# A class in backticks, as `YieldGuard` or `NominalBody::K_of_faces`.
+CLASS = re.compile(r"`([A-Z][a-z]+[A-Z]\w*)(?:::(\w+))?`")
+NO_CLASS = {"VmRSS"}  # of Linux
+COMMAND = re.compile(r"^    ((?:\./)?stria (?:run|study) (?:.*\\\n)*.*)$", re.MULTILINE)
 
 
 def files():
@@ -38,6 +45,12 @@ def diary(file):
 def document(file, name):
     """A document is named from the top of the repository, or from the folder of who names it."""
     return next((path for path in (ROOT / name, file.parent / name) if path.is_file()), None)
+
+
+@functools.cache
+def words_of_sources():
+    sources = [file.read_text(encoding="utf-8") for file in files() if file.suffix in {".cpp", ".hpp"}]
+    return {word for text in sources for word in re.findall(r"\w+", text)}
 
 
 def slug(heading):
@@ -74,6 +87,24 @@ def of_markdown(file, text):
         for place in [] if diary(file) else PLACE.findall(part):
             if not (ROOT / place).exists():
                 yield line, f"there is no {place}"
+        for names in [] if diary(file) else CLASS.findall(part):
+            for name in filter(None, names):
+                if name not in words_of_sources() | NO_CLASS:
+                    yield line, f"there is no {name}"
+
+
+def of_commands(text):
+    """Where each run and each study of a page goes."""
+    taken = set()
+    for match in COMMAND.finditer(text):
+        words = shlex.split(match.group(1).replace("\\\n", " "), comments=True)
+        case = Path(words[2])
+        folder = "runs/" + (case.parent.name if case.name == "case.toml" else case.stem) + "-study" * (words[1] == "study")
+        if "-o" in words:
+            folder = words[words.index("-o") + 1]
+        if folder in taken and not {"--force", "--resume", "--print-commands"} & set(words):
+            yield text.count("\n", 0, match.start()) + 1, f"{folder} has the results of a command before"
+        taken.add(folder)
 
 
 def of_link(file, target):
@@ -94,6 +125,8 @@ def main():
         complaints = list(of_citations(file, text))
         if file.suffix == ".md":
             complaints += of_markdown(file, text)
+        if file.name == "README.md":
+            complaints += of_commands(text)
         for line, problem in sorted(complaints):
             print(f"{file.relative_to(ROOT).as_posix()}:{line}: {problem}")
             found += 1

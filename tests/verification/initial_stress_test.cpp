@@ -154,6 +154,23 @@ TEST(InitialStress, AddsToTheLoadInAnElasticBody) {
     EXPECT_EQ(cycle.K_initial, nominal.K_initial);
 }
 
+// All of it has shrunk alike, so nothing holds it: no stress is left, and T is that and not what the strain alone tells.
+TEST(InitialStress, OfABodyThatShrinksAsAWholeLeavesNoT) {
+    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
+        Case input = edge_crack(0.3, 4.0, End::Pulled);
+        input.mesh.size = 1.0 / 21.0;
+        input.model.plane = plane;
+        input.regions = {misfit({{-1.0, -1.0}, {2.0, 5.0}}, input.material.young, 150.0)};
+        input.regions[0].material.poisson = input.material.poisson;
+        input.regions[0].initial_stress->xx = 40.0;
+        input.load = {.steps = 2, .blocks = {{.cycles = 1, .max = 1.0, .min = 0.0}}};
+        const coarse::TipResult tip = run_direct(input).increments.front().tips[0];
+        EXPECT_NEAR(tip.T_stress, 0.0, 1e-4);
+        EXPECT_NEAR(tip.K_I, 0.0, 1e-4);
+        EXPECT_NEAR(tip.K_II, 0.0, 1e-4);
+    }
+}
+
 /// A misfit above the crack's plane, so that it slides without load: it goes on across the largest hoop stress of load
 /// and stress together at the maximum, wherever in the cycle it grows.
 TEST(InitialStress, TurnsACrackThatTheLoadOnlyOpens) {

@@ -60,7 +60,10 @@ Section<FineSection> fine_section() {
                           {"single", Enrichment::Single},
                           {"topological", Enrichment::Topological},
                           {"geometrical", Enrichment::Geometrical}})
-        .says("Which nodes carry the singular functions of the tip.");
+        .says(
+            "Singular functions of the tip, eq. (2). none: the crack ends on an element edge near its tip. single: the "
+            "first, on the tip's element. topological: all six there. geometrical: four within enrichment_radius, of "
+            "elastic bodies without contact. auto: what docs/method.md, section 2, finds best.");
     s.value("enrichment_radius", &FineSection::enrichment_radius)
         .in("mm")
         .positive()

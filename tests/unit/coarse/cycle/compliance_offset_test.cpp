@@ -51,6 +51,23 @@ TEST(ComplianceOffset, FindsWhereTheCrackIsOpen) {
     EXPECT_FALSE(opened(down, v_down, up, v_up)) << "no mouth";
 }
 
+// Half open on the way down already below 75: what is above that is the open crack, and 2 % less of it is closed.
+TEST(ComplianceOffset, IsTwoPercentOfTheUpperQuarterOfTheWayDown) {
+    const auto opened = [](double compliance_below) {
+        std::vector<double> down, up, v_down, v_up;
+        for (int k = 0; k <= 50; ++k) {
+            up.push_back(2.0 * k);
+            down.push_back(100.0 - 2.0 * k);
+            v_up.push_back(up.back() > 40.0 ? up.back() : 40.0 - compliance_below * (40.0 - up.back()));
+            v_down.push_back(down.back() > 75.0 ? down.back() : 75.0 - 0.7 * (75.0 - down.back()));
+        }
+        return *compliance_offset_opening(down, v_down, up, v_up);
+    };
+    EXPECT_NEAR(opened(0.9), 40.0, 2.0);
+    EXPECT_NEAR(opened(0.97), 40.0, 2.0);
+    EXPECT_EQ(opened(0.985), 0.0) << "open all the way";
+}
+
 // What the secant of a long increment tells depends on where it ends.
 TEST(ComplianceOffset, IsNotReadFromLongIncrements) {
     const auto opening = [](double load) { return load > 40.0 ? load : 40.0 - 0.8 * (40.0 - load); };

@@ -101,6 +101,18 @@ TEST(GrowthIncrement, KeepsTheLifeToItsAccuracy) {
     EXPECT_LT(live(loose, closure).increments.size(), live(tight, closure).increments.size());
 }
 
+// Half of the distance from the chord, of what a millimetre takes: errors fall with the square of the increment.
+TEST(GrowthIncrement, GoesByTheRootOfWhatTheLastWasOffBy) {
+    const CycleResult now = tip_at(10.0, 0.1);
+    const double per_mm = 1.0 / growth_rate(by_K_eff, now);
+    for (const double error : {0.005, 0.02}) {
+        GrowthIncrement increment({.increment = 0.04,
+                                   .points = {{.a = 9.8, .per_mm = per_mm, .closure = 0.1},
+                                              {.a = 9.9, .per_mm = (1.0 + 2.0 * error) * per_mm, .closure = 0.1}}});
+        EXPECT_NEAR(next(increment, by_K_eff, {now}), 0.04 * std::sqrt(by_K_eff.accuracy / error), 1e-12) << error;
+    }
+}
+
 TEST(GrowthIncrement, IsHalvedWhereClosureJumps) {
     const Life life = live(by_K_eff, [](double a) { return a < 11.0 ? 0.1 : 0.4; });
     double a = 10.0;

@@ -104,6 +104,36 @@ TEST_P(FarStress, BoundIsNeverBelowTheStress) {
     }
 }
 
+// Energy density >= sigma^2 / (6 G), and a point's share of the energy is no more than all of it.
+TEST_P(FarStress, WhatNothingIsKnownOfIsBoundByItsEnergy) {
+    const State s = state(random_gamma(1e-4), 0.0);
+    double smallest = std::numeric_limits<double>::infinity();  // mm2
+    structure.elements().for_each([&](const auto& op) {
+        if (!structure.is_far(op.element)) return;
+        for (const IntegrationPoint& point : op.points) smallest = std::min(smallest, point.weight);
+    });
+    const double energy = 0.5 * s.rim.dot(structure.far_force(s.rim)), shear = scene.materials.elastic(0).shear_modulus();
+    const double bound = std::sqrt(6.0 * shear * energy / smallest);
+    EXPECT_NEAR(FarStressBound(structure).at(s.rim, 0.0), bound, 1e-9 * bound);
+}
+
+// Most elements are passed over by the bound of their warping, and none that is beyond the limit.
+TEST_P(FarStress, NoNearElementBeyondALimitIsPassedOver) {
+    std::uniform_real_distribution<double> any(-1e-3, 1e-3);
+    const Eigen::VectorXd u =
+        Eigen::VectorXd::NullaryExpr(scene.enriched.unknowns, [&] { return any(generator); });  // mm
+    std::size_t fewest = structure.elements().near().size(), most = 0;
+    for (double limit = 20.0; limit < 2000.0; limit *= 1.1) {
+        std::vector<int> near = elements_beyond(limit, structure, u);
+        std::erase_if(near, [&](int element) { return structure.is_far(element); });
+        EXPECT_EQ(near_elements_beyond(limit, structure, u), near) << limit;
+        fewest = std::min(fewest, near.size());
+        most = std::max(most, near.size());
+    }
+    EXPECT_EQ(fewest, 0U);
+    EXPECT_EQ(most, structure.elements().near().size());
+}
+
 TEST_P(FarStress, BoundIsTheStressOfAStateThatItKnowsAtAnyLoad) {
     FarStressBound bound(structure);
     for (const double load_factor : {40.0, -30.0, 20.0}) {
