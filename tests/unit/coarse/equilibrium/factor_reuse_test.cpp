@@ -58,6 +58,15 @@ TEST(FactorReuse, ServesOnceMoreWhereTheChordReachesTheTolerance) {
     }
 }
 
+// From r0 on to r1 one more correction by the chord leaves 2 r1^2 / r0.
+TEST(FactorReuse, ServesWhereTheChordLeavesHalfOfTheTolerance) {
+    for (const double residual : {0.01, 0.1, 3.0}) {
+        FactorReuse reuse(tolerance);
+        reuse.add(state(residual, false));
+        EXPECT_NEAR(2.0 * reuse.below() * reuse.below() / residual, 0.5 * tolerance, 1e-9 * tolerance);
+    }
+}
+
 TEST(FactorReuse, IsNotPutOffWhereTheChordWouldFallShort) {
     // After one correction .0083 is left of .1: the chord would leave 1e-3.
     const Search all = search(parabola(1.0, 0.1), slope_of_parabola(1.0), false);
