@@ -154,7 +154,8 @@ TEST(InitialStress, AddsToTheLoadInAnElasticBody) {
     EXPECT_EQ(cycle.K_initial, nominal.K_initial);
 }
 
-// All of it has shrunk alike, so nothing holds it: no stress is left, and T is that and not what the strain alone tells.
+// All of it has shrunk alike, so nothing holds it: no stress is left, and T is that and not what the strain alone
+// tells.
 TEST(InitialStress, OfABodyThatShrinksAsAWholeLeavesNoT) {
     for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
         Case input = edge_crack(0.3, 4.0, End::Pulled);

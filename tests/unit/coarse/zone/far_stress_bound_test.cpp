@@ -112,7 +112,8 @@ TEST_P(FarStress, WhatNothingIsKnownOfIsBoundByItsEnergy) {
         if (!structure.is_far(op.element)) return;
         for (const IntegrationPoint& point : op.points) smallest = std::min(smallest, point.weight);
     });
-    const double energy = 0.5 * s.rim.dot(structure.far_force(s.rim)), shear = scene.materials.elastic(0).shear_modulus();
+    const double energy = 0.5 * s.rim.dot(structure.far_force(s.rim)),
+                 shear = scene.materials.elastic(0).shear_modulus();
     const double bound = std::sqrt(6.0 * shear * energy / smallest);
     EXPECT_NEAR(FarStressBound(structure).at(s.rim, 0.0), bound, 1e-9 * bound);
 }
