@@ -22,6 +22,9 @@ KNOWN = "VTKHDF|CMAME|IJNME|SIGTERM"
 CAPITALS = re.compile(rf"\b(?!(?:{KNOWN})\b)([A-Z]{{5,}})(?:,?{GAP}sections?)?,?{GAP}\d")
 HEADING = re.compile(r"^#+ +(\d+(?:\.\d+)*)\b", re.MULTILINE)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
+# A section of a linked document, by its title: a heading, or the beginning of a paragraph in bold letters.
+SECTION = re.compile(r'\]\(([^)#\s]+\.md)\),\s+"([^"]+)"')
+TITLE = re.compile(r"^#+ +([^\n]*)$|\*\*([^*]+)\*\*", re.MULTILINE)
 # A path in backticks, as `coarse/zone/zone_selection.cpp:select_zone` or `coarse/zone/`.
 PLACE = re.compile(r"`((?:%s)/[\w/.-]*)(?::~?\w+)?`" % "|".join(FOLDERS))
 # A class in backticks, as `YieldGuard` or `NominalBody::K_of_faces`.
@@ -93,6 +96,15 @@ def of_markdown(file, text):
                     yield line, f"there is no {name}"
 
 
+def of_sections(file, text):
+    for match in SECTION.finditer(text):
+        name, wanted = match.group(1), " ".join(match.group(2).split()).lower()
+        if (file.parent / name).is_file():
+            titles = TITLE.findall((file.parent / name).read_text(encoding="utf-8"))
+            if not any(wanted in " ".join((heading or bold).split()).lower() for heading, bold in titles):
+                yield text.count("\n", 0, match.start()) + 1, f'{name} has no section "{match.group(2)}"'
+
+
 def of_commands(text):
     """Where each run and each study of a page goes."""
     taken = set()
@@ -125,6 +137,7 @@ def main():
         complaints = list(of_citations(file, text))
         if file.suffix == ".md":
             complaints += of_markdown(file, text)
+            complaints += [] if diary(file) else of_sections(file, text)
         if file.name == "README.md":
             complaints += of_commands(text)
         for line, problem in sorted(complaints):
