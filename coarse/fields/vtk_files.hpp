@@ -31,7 +31,7 @@ struct FieldData {
     void add_cell(CellType type, const std::vector<std::int64_t>& cell_points);
 };
 
-/// VTKHDF 1.0, and VTU. The file is written whole or not at all.
+/// VTKHDF 1.0, and VTU. The file is written whole or not at all: throws FileFailure.
 void write_vtkhdf(const std::filesystem::path& path, const FieldData& data);
 void write_vtu(const std::filesystem::path& path, const FieldData& data);
 

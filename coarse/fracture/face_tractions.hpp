@@ -25,6 +25,7 @@ struct FaceTractions {
     [[nodiscard]] Traction at(int of_crack, double place) const;
 };
 
+/// Of stations in any order, with pressure and shear in MPa.
 [[nodiscard]] FaceTractions tractions_of(std::vector<coupling::FaceSample> faces);
 
 /// What presses in a wake where the body would be open without it goes: such a wedge presses against the metal that it

@@ -24,6 +24,8 @@ double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2&
 /// To the nearest of Loads::points.
 double distance_to_points(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x);
 
+/// Each at the factor 1: tractions in MPa, forces in N per mm of thickness, displacements in mm. Throws CaseError,
+/// naming the key, for what cannot be put on that boundary.
 LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input);
 
 /// That of the first listed section with a load or a non-zero displacement, if any; of those without a factor of their

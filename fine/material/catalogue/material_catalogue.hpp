@@ -14,6 +14,7 @@ namespace stria::fine {
 /// make no law.
 std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane, int substeps = 1);
 
+/// The same of each material of a body, in its order.
 [[nodiscard]] MaterialLaws make_material_laws(const Materials& materials, int substeps = 1);
 
 }  // namespace stria::fine
