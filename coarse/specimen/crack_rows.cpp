@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/crack/bends.hpp"
+
 namespace stria::coarse {
 namespace {
 
@@ -46,9 +48,10 @@ private:
 
 void move_off_bends(Mesh& mesh, const std::vector<CrackSection>& cracks) {
     for (const CrackSection& crack : cracks) {
-        for (std::size_t k = 1; k + 1 < crack.points.size(); ++k) {
+        const std::vector<Vec2> points = ends_and_bends(crack.points);
+        for (std::size_t k = 1; k + 1 < points.size(); ++k) {
             for (const int axis : {0, 1}) {
-                const Vec2 &before = crack.points[k - 1], &bend = crack.points[k], &after = crack.points[k + 1];
+                const Vec2 &before = points[k - 1], &bend = points[k], &after = points[k + 1];
                 if (before[axis] != bend[axis] && after[axis] != bend[axis]) continue;
                 const Line line(mesh, axis, bend[axis]);
                 if (line.holds_between_nodes(mesh, bend)) line.move_up(mesh);

@@ -9,6 +9,7 @@
 #include "coarse/fracture/turned_tip.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/tip_refinement.hpp"
+#include "common/crack/bends.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -36,9 +37,11 @@ std::vector<CrackSection> about_to_turn(const Scene& scene, const std::vector<Ti
 
 }  // namespace
 
-Scene refined_scene(const Case& input, const std::function<void(const Scene&)>& before_solving) {
-    Scene scene =
-        make_scene(input, make_mesh(input.mesh, input.cracks, input.regions, input.boundaries), input.fine.refine);
+Scene refined_scene(const Case& given, const std::function<void(const Scene&)>& before_solving) {
+    Mesh mesh = make_mesh(given.mesh, given.cracks, given.regions, given.boundaries);
+    Case input = given;
+    for (CrackSection& crack : input.cracks) crack.points = ends_and_bends(crack.points);
+    Scene scene = make_scene(input, std::move(mesh), input.fine.refine);
     if (input.fine.refine == 1) return scene;
     std::vector<double> K(scene.enriched.tips.size(), 0.0);
     std::vector<CrackSection> cracks = input.cracks;

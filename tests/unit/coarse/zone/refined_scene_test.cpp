@@ -120,6 +120,42 @@ TEST(RefinedScene, RefusesACrackShorterThanTheElementAtItsTip) {
     EXPECT_THROW(static_cast<void>(refined_scene(input)), CaseError);
 }
 
+// Such a point was one more corner of the parts of a cut element, and a bend in a row of element edges.
+TEST(RefinedScene, IsTheSameToTheBitWithAPointOnAStraightStretchOfACrack) {
+    using Polyline = std::vector<Vec2>;
+    const Vec2 bend(5.3, 10.4), tip(7.9, 11.3);
+    const auto scene_of = [](const Polyline& points) {
+        Case input = plate(2);
+        input.cracks[0].points = points;
+        return refined_scene(input);
+    };
+    for (const auto& [shape, pointed] :
+         {std::pair(Polyline{{0.0, 10.4}, bend, tip},
+                    Polyline{{0.0, 10.4}, {2.7, 10.4}, bend, bend + 0.9 * (tip - bend), tip}),
+          std::pair(Polyline{{0.0, 10.0}, {7.3, 10.0}}, Polyline{{0.0, 10.0}, {2.7, 10.0}, {7.3, 10.0}})}) {
+        const Scene scene = scene_of(shape), other = scene_of(pointed);
+        EXPECT_EQ(other.input, scene.input);
+        EXPECT_EQ(other.mesh.nodes, scene.mesh.nodes);
+        ASSERT_EQ(other.enriched.pieces.size(), scene.enriched.pieces.size());
+        for (std::size_t k = 0; k < scene.enriched.pieces.size(); ++k) {
+            EXPECT_EQ(other.enriched.pieces[k].points, scene.enriched.pieces[k].points) << "piece " << k;
+            EXPECT_EQ(other.enriched.pieces[k].s, scene.enriched.pieces[k].s);
+        }
+    }
+}
+
+// What is said of a point counts the points of the case.
+TEST(RefinedScene, SaysWhichPointOfTheCaseIsOutsideTheBody) {
+    Case input = plate(1);
+    input.cracks[0].points = {{0.0, 10.4}, {2.7, 10.4}, {5.3, 10.4}, {7.0, 21.0}, {9.0, 15.0}};
+    try {
+        static_cast<void>(refined_scene(input));
+        FAIL();
+    } catch (const CaseError& error) {
+        EXPECT_NE(std::string(error.what()).find("point 3"), std::string::npos) << error.what();
+    }
+}
+
 // A pressure that travels in 65 536 steps has as many unit loads: 2.5 GB before a sentence about the crack.
 TEST(RefinedScene, LooksForRoomBeforeItResolvesLoads) {
     Case input = plate(2);
