@@ -44,7 +44,8 @@ Monomials moments(std::span<const Vec2> polygon, const Frame& frame) {
 
 /// False where no weights >= 0 are exact to the degree. Of those that are, about the ones nearest to the present, each
 /// change beside the root of the weight: all points go on telling of their place, and one that stood for next to
-/// nothing, about a former tip where stresses are without bound, does so further.
+/// nothing, about a former tip where stresses are without bound, does so further. The search begins at the present
+/// weights: what lets go of such a point is less than what ends a search that begins without any.
 bool fit_side(std::vector<IntegrationPoint*>& points, const Monomials& wanted, const Frame& frame, int count) {
     constexpr double keep = 1e-4;
     const Eigen::Index n = std::ssize(points);
@@ -61,7 +62,7 @@ bool fit_side(std::vector<IntegrationPoint*>& points, const Monomials& wanted, c
         if (root[q] > 0.0) b[count + q] = keep * points[at(q)]->weight / root[q];
     }
     b.tail(n) = (root.array() > 0.0).select(b.tail(n), 0.0);
-    const Eigen::VectorXd w = non_negative_least_squares(A, b);
+    const Eigen::VectorXd w = non_negative_least_squares(A, b, b.tail(n) / keep);
     if ((A * w - b).head(count).norm() > exact * wanted[0]) return false;
     for (Eigen::Index q = 0; q < n; ++q) points[at(q)]->weight = root[q] * w[q];
     return true;
@@ -118,20 +119,17 @@ std::vector<IntegrationPoint> points_inside(std::span<const Vec2> polygon, const
 
 }  // namespace
 
-Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, Eigen::VectorXd x) {
     const Eigen::Index n = A.cols();
     const double tiny = 1e-12 * (A.transpose() * b).cwiseAbs().maxCoeff();
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
     std::vector<int> passive;  // the columns that may be positive
+    for (int j = 0; j < n; ++j)
+        if (x[j] > 0.0) passive.push_back(j);
     const auto solve = [&] {
+        if (passive.empty()) return Eigen::VectorXd();
         return Eigen::VectorXd(A(Eigen::all, passive).completeOrthogonalDecomposition().solve(b));
     };
-    for (int step = 0; step < 3 * n; ++step) {
-        Eigen::VectorXd slope = A.transpose() * (b - A * x);
-        for (const int j : passive) slope[j] = 0.0;
-        Eigen::Index steepest = 0;
-        if (n == 0 || slope.maxCoeff(&steepest) <= tiny) break;
-        passive.push_back(static_cast<int>(steepest));
+    const auto settle = [&] {
         Eigen::VectorXd z = solve();
         while (z.size() > 0 && z.minCoeff() <= 0.0) {
             double stop = 1.0;
@@ -153,6 +151,15 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen
             z = solve();
         }
         for (Eigen::Index k = 0; k < z.size(); ++k) x[passive[at(k)]] = z[k];
+    };
+    settle();
+    for (int step = 0; step < 3 * n; ++step) {
+        Eigen::VectorXd slope = A.transpose() * (b - A * x);
+        for (const int j : passive) slope[j] = 0.0;
+        Eigen::Index steepest = 0;
+        if (n == 0 || slope.maxCoeff(&steepest) <= tiny) break;
+        passive.push_back(static_cast<int>(steepest));
+        settle();
     }
     return x.cwiseMax(0.0);
 }
@@ -217,7 +224,7 @@ Eigen::VectorXd shares_at(const Vec2& x, std::span<const Vec2> points) {
         A.col(q).head(3) << 1.0, d.x(), d.y();
         A(3 + q, q) = near * d.norm();
     }
-    const Eigen::VectorXd shares = non_negative_least_squares(A, b);
+    const Eigen::VectorXd shares = non_negative_least_squares(A, b, Eigen::VectorXd::Zero(n));
     return shares / shares.sum();
 }
 

@@ -29,7 +29,8 @@ struct PointShare {
 std::vector<PointShare> history_of(std::span<const IntegrationPoint> now, std::size_t q,
                                    std::span<const IntegrationPoint> before);
 
-/// min |A w - b| over w >= 0 (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23).
-Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+/// min |A w - b| over w >= 0 (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23), sought from
+/// `first` >= 0 on.
+Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, Eigen::VectorXd first);
 
 }  // namespace stria
