@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "common/fem/centre.hpp"
@@ -19,14 +20,14 @@ constexpr double exact = 1e-6;  // of the side's area (docs/method.md, section 3
 
 using Monomials = Eigen::Matrix<double, 6, 1>;
 
-/// Monomials up to degree 2 about a centre, over a length.
+/// Monomials up to degree 2 about a centre, over a length; together as large in any direction of the axes.
 struct Frame {
     Vec2 centre;
     double length;
 
     [[nodiscard]] Monomials at(const Vec2& x) const {
         const Vec2 d = (x - centre) / length;
-        return {1.0, d.x(), d.y(), d.x() * d.x(), d.x() * d.y(), d.y() * d.y()};
+        return {1.0, d.x(), d.y(), d.x() * d.x(), std::numbers::sqrt2 * d.x() * d.y(), d.y() * d.y()};
     }
 };
 
@@ -100,20 +101,43 @@ IntegrationPoint add_missing(std::vector<IntegrationPoint*>& points, std::span<c
     return added;
 }
 
-/// Three inside each triangle of a fan, exact to degree 2; none where the polygon is no fan of such.
-std::vector<IntegrationPoint> points_inside(std::span<const Vec2> polygon, const std::array<Vec2, 4>& element,
-                                            int side) {
-    std::vector<IntegrationPoint> points;
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-        const std::array<Vec2, 3> corners{polygon[0], polygon[k], polygon[k + 1]};
+/// Gauss's four of a quadrilateral; none where that is not convex.
+std::vector<PlacedPoint> in_quadrilateral(const std::array<Vec2, 4>& corners) {
+    std::vector<PlacedPoint> points;
+    for (const SquarePoint& gauss : gauss_square(2)) {
+        const double weight = gauss.weight * shape_q4(corners, gauss.xi).jacobian;
+        if (weight <= 0.0) return {};
+        points.push_back({map_to_physical(corners, gauss.xi), weight});
+    }
+    return points;
+}
+
+/// Three in each triangle about the middle of a polygon's corners; none where these are no fan.
+std::vector<PlacedPoint> in_fan(std::span<const Vec2> polygon) {
+    std::vector<PlacedPoint> points;
+    const Vec2 middle = mean_of(polygon);
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const std::array<Vec2, 3> corners{middle, polygon[k], polygon[(k + 1) % polygon.size()]};
         const double area = triangle_area(corners[0], corners[1], corners[2]);
         if (area < 0.0) return {};
         if (area == 0.0) continue;
-        for (const Vec2& corner : corners) {
-            const Vec2 x = (corners[0] + corners[1] + corners[2] + 3.0 * corner) / 6.0;
-            points.push_back({x, map_to_parent(element, x), area / 3.0, side, 0});
-        }
+        for (const PlacedPoint& point : placed_on_triangle(triangle_degree_2(), corners)) points.push_back(point);
     }
+    return points;
+}
+
+/// Inside a polygon, exact to degree 2; none where it has no such. From the other end of its crack, or in a mirror, a
+/// side has the same ones.
+std::vector<IntegrationPoint> points_inside(std::span<const Vec2> polygon, const std::array<Vec2, 4>& element,
+                                            int side) {
+    std::vector<PlacedPoint> places;
+    if (polygon.size() == 3)
+        places = placed_on_triangle(triangle_degree_2(), {polygon[0], polygon[1], polygon[2]});
+    else if (polygon.size() == 4)
+        places = in_quadrilateral({polygon[0], polygon[1], polygon[2], polygon[3]});
+    if (places.empty()) places = in_fan(polygon);
+    std::vector<IntegrationPoint> points;
+    for (const auto& [x, weight] : places) points.push_back({x, map_to_parent(element, x), weight, side, 0});
     return points;
 }
 
@@ -169,7 +193,7 @@ void fit_weights(const CutElement& cut, const std::array<Vec2, 4>& corners, std:
     const double length = diagonal(corners);
     for (const int side : {1, -1}) {
         const std::vector<Vec2>& polygon = side > 0 ? cut.left : cut.right;
-        const Frame frame{polygon.front(), length};
+        const Frame frame{mean_of(polygon), length};
         const Monomials wanted = moments(polygon, frame);
         if (wanted[0] <= 0.0) continue;
         std::vector<IntegrationPoint*> own;

@@ -89,11 +89,40 @@ TEST_F(CutSquare, QuadraticsAreExactWhereThePointsAllowIt) {
 
 TEST_F(CutSquare, ASliverWithoutPointsGetsSomeOfItsOwn) {
     cut({0.0, 0.02}, {1.0, 0.03});
-    EXPECT_EQ(points_.size(), count_ + 6);
+    EXPECT_EQ(points_.size(), count_ + 4);
     EXPECT_EQ(points_.back().side, -1);
     EXPECT_NEAR(integral(-1, [](const Vec2&) { return 1.0; }), 0.025, 1e-12);
     EXPECT_NEAR(integral(-1, [](const Vec2& x) { return x.y() * x.y(); }), (81e-8 - 16e-8) / 0.12, 1e-15);
     for (const IntegrationPoint& point : points_) EXPECT_GE(point.weight, 0.0);
+}
+
+// Whatever corner a side begins at: a crack from its other end leaves the same points and weights, and so do a mirror
+// and a quarter turn.
+TEST_F(CutSquare, SidesOfAMirrorImageHaveItsPoints) {
+    const auto turned = [](const Vec2& x) { return Vec2(1.0 - x.y(), x.x()); };
+    const auto mirrored = [](const Vec2& x) { return Vec2(x.x(), 1.0 - x.y()); };
+    for (const auto& [from, to] : {std::pair(Vec2(0.0, 0.02), Vec2(1.0, 0.03)),  // a quadrilateral without points
+                                   {Vec2(0.0, 0.035), Vec2(0.05, 0.0)},          // a triangle, and a pentagon
+                                   {Vec2(0.0, 0.31), Vec2(1.0, 0.44)}}) {
+        cut(from, to);
+        const std::vector<IntegrationPoint> own = points_;
+        const auto expect_own = [&](const auto& image) {
+            ASSERT_EQ(points_.size(), own.size());
+            for (const IntegrationPoint& point : own) {
+                const Vec2 x = image(point.x);
+                const auto same = std::ranges::find_if(points_, [&](const IntegrationPoint& other) {
+                    return (other.x - x).norm() < 1e-12 && std::abs(other.weight - point.weight) < 1e-12;
+                });
+                EXPECT_NE(same, points_.end()) << x.transpose() << " with " << point.weight;
+            }
+        };
+        cut(to, from);
+        expect_own([](const Vec2& x) { return x; });
+        cut(mirrored(from), mirrored(to));
+        expect_own(mirrored);
+        cut(turned(from), turned(to));
+        expect_own(turned);
+    }
 }
 
 // The functions of the three far corners live there: six unknowns, one of them a rotation about the near corner. One
