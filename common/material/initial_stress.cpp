@@ -13,35 +13,50 @@ namespace {
 struct Between {
     std::size_t first;
     double share;
-    double width;  // mm
 };
 
+std::size_t last_before(const std::vector<double>& places, double x) {
+    return at(std::upper_bound(places.begin() + 1, places.end() - 1, x) - places.begin()) - 1;
+}
+
 Between between(const std::vector<double>& places, double x) {
-    const auto above = std::upper_bound(places.begin() + 1, places.end() - 1, x);
-    const std::size_t first = at(above - places.begin()) - 1;
-    const double width = places[first + 1] - places[first];
-    return {first, std::clamp((x - places[first]) / width, 0.0, 1.0), width};
+    const std::size_t first = last_before(places, x);
+    return {first, std::clamp((x - places[first]) / (places[first + 1] - places[first]), 0.0, 1.0)};
+}
+
+/// Of what `rise(k)` says is linear from each place to the next one. On a place it is the mean of both sides: rounding
+/// puts a point of integration there, the middle one of an element, on one or the other.
+template <class Rise> double slope_between(const std::vector<double>& places, double x, const Rise& rise) {
+    const double rounding = 1e-9 * (places.back() - places.front());
+    const auto slope = [&](double there) {
+        const std::size_t k = last_before(places, there);
+        return rise(k) / (places[k + 1] - places[k]);
+    };
+    return 0.5 * (slope(x - rounding) + slope(x + rounding));
 }
 
 /// A number and its derivatives along x and y.
 using Jet = Eigen::Vector3d;
 
 Jet profile_at(const StressProfile& profile, double x, int axis) {
-    const auto [k, share, width] = between(profile.at, x);
-    const double rise = profile.stress[k + 1] - profile.stress[k];
+    const auto rise = [&](std::size_t k) { return profile.stress[k + 1] - profile.stress[k]; };
+    const auto [k, share] = between(profile.at, x);
     Jet jet = Jet::Zero();
-    jet[0] = profile.stress[k] + share * rise;
-    jet[1 + axis] = rise / width;
+    jet[0] = profile.stress[k] + share * rise(k);
+    jet[1 + axis] = slope_between(profile.at, x, rise);
     return jet;
 }
 
 Jet grid_at(const StressGrid& grid, const std::vector<double>& values, const Vec2& x) {
-    const auto [i, s, width] = between(grid.x, x.x());
-    const auto [j, t, height] = between(grid.y, x.y());
-    const std::size_t row = grid.x.size(), k = j * row + i;
-    const double a = values[k], b = values[k + 1], c = values[k + row], d = values[k + row + 1];
-    return {(1.0 - t) * (a + s * (b - a)) + t * (c + s * (d - c)), ((1.0 - t) * (b - a) + t * (d - c)) / width,
-            ((1.0 - s) * (c - a) + s * (d - b)) / height};
+    const auto [i, s] = between(grid.x, x.x());
+    const auto [j, t] = between(grid.y, x.y());
+    const auto value = [&](std::size_t column, std::size_t row) { return values[row * grid.x.size() + column]; };
+    const auto along_row = [&](std::size_t column) { return (1.0 - t) * value(column, j) + t * value(column, j + 1); };
+    const auto along_column = [&](std::size_t row) { return (1.0 - s) * value(i, row) + s * value(i + 1, row); };
+    const auto rise_along_x = [&](std::size_t k) { return along_row(k + 1) - along_row(k); };
+    const auto rise_along_y = [&](std::size_t k) { return along_column(k + 1) - along_column(k); };
+    return {along_column(j) + t * rise_along_y(j), slope_between(grid.x, x.x(), rise_along_x),
+            slope_between(grid.y, x.y(), rise_along_y)};
 }
 
 /// Rows xx, yy, xy.

@@ -68,6 +68,25 @@ TEST(InitialStressField, ABilinearGridIsExactForBilinearFields) {
     }
 }
 
+// A point of integration may lie where a profile bends, and rounding puts it on either side: K of a plate in other
+// units was off by 3 %.
+TEST(InitialStressField, HasTheMeanSlopeOfBothSidesWhereItBends) {
+    Case input;
+    input.initial_stress = profiles();
+    StressGrid& grid = input.initial_stress->grid.emplace();
+    grid = {.x = {0.0, 1.0, 4.0}, .y = {0.0, 1.0}, .xx = {}, .yy = {}, .xy = {}};
+    grid.xx = grid.yy = grid.xy = {0.0, 6.0, 0.0, 0.0, 6.0, 0.0};
+    const InitialStress stress(input);
+    for (const double rounding : {-1e-15, 0.0, 1e-15}) {
+        const Mandel slope = stress.slope({1.0 + rounding, 0.4}, 0, {1.0, 0.0});
+        EXPECT_NEAR(slope[0], 0.5 * (6.0 - 2.0), 1e-12);
+        EXPECT_NEAR(slope[1], 0.5 * (30.0 - 10.0) + 0.5 * (6.0 - 2.0), 1e-12);
+    }
+    EXPECT_NEAR(stress.slope({0.99, 0.4}, 0, {1.0, 0.0})[1], 36.0, 1e-12);
+    EXPECT_NEAR(stress.slope({0.0, 0.4}, 0, {1.0, 0.0})[1], 36.0, 1e-12);
+    EXPECT_NEAR(stress.slope({4.0, 0.4}, 0, {1.0, 0.0})[1], -12.0, 1e-12);
+}
+
 class GridFile : public testing::Test {
 protected:
     std::string complaint(const std::string& text) {
