@@ -199,13 +199,14 @@ std::vector<coupling::FaceSample> face_samples(const Structure& structure, const
 
 const coupling::FaceSample* deepest_overlap(const std::vector<coupling::FaceSample>& faces,
                                             const std::vector<CrackSection>& cracks) {
-    constexpr double rounding = 1e-9, share = 1e-3;  // mm
+    constexpr double rounding = 1e-9, share = 1e-3, alike = 1e-6;  // mm; shares
     const coupling::FaceSample* deepest = nullptr;
     double largest = 0.0;
     for (const coupling::FaceSample& sample : faces) {
         if (may_touch(cracks[at(sample.crack)])) continue;
         largest = std::max(largest, std::abs(sample.opening));
-        if (deepest == nullptr || sample.opening < deepest->opening) deepest = &sample;
+        if (deepest == nullptr || sample.opening < deepest->opening - alike * std::abs(deepest->opening))
+            deepest = &sample;
     }
     return deepest != nullptr && -deepest->opening > std::max(rounding, share * largest) ? deepest : nullptr;
 }

@@ -91,7 +91,7 @@ std::vector<coupling::FaceSample> face_samples(const Structure& structure, const
                                                const coupling::StepReport& report);
 
 /// Where faces without contact overlap the most, beyond rounding and a thousandth of their largest jump; null: they do
-/// not.
+/// not. The first of places that are alike, as those at the two tips of a crack in the middle of its plate.
 const coupling::FaceSample* deepest_overlap(const std::vector<coupling::FaceSample>& faces,
                                             const std::vector<CrackSection>& cracks);
 

@@ -40,5 +40,24 @@ TEST(FactorsOfCases, GoStraightFromOneMomentToAnother) {
     EXPECT_EQ(between({}, {}, 0.5).size(), 0);
 }
 
+// One matrix and two components named one tip and the other: what they round told them apart.
+TEST(DeepestOverlap, IsTheFirstOfTwoThatRoundingTellsApart) {
+    const std::vector<CrackSection> cracks(1);
+    std::vector<coupling::FaceSample> faces(4);
+    for (std::size_t k = 0; k < faces.size(); ++k) faces[k].s = static_cast<double>(k);
+    faces[0].opening = 0.01;
+    faces[1].opening = -0.001;
+    faces[2].opening = -0.0005;
+    for (const double rounding : {1e-12, 0.0, -1e-12}) {
+        faces[3].opening = (1.0 + rounding) * faces[1].opening;
+        EXPECT_EQ(deepest_overlap(faces, cracks), &faces[1]) << rounding;
+    }
+    faces[3].opening = 1.001 * faces[1].opening;
+    EXPECT_EQ(deepest_overlap(faces, cracks), &faces[3]);
+    faces[1].opening = faces[3].opening = 0.0;
+    faces[2].opening = -1e-6;  // of a jump of 0.01
+    EXPECT_EQ(deepest_overlap(faces, cracks), nullptr);
+}
+
 }  // namespace
 }  // namespace stria::coarse
