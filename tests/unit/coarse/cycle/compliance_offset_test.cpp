@@ -53,7 +53,7 @@ TEST(ComplianceOffset, FindsWhereTheCrackIsOpen) {
 
 // Half open on the way down already below 75: what is above that is the open crack, and 2 % less of it is closed.
 TEST(ComplianceOffset, IsTwoPercentOfTheUpperQuarterOfTheWayDown) {
-    const auto opened = [](double compliance_below) {
+    const auto opened_by = [](double compliance_below) {
         std::vector<double> down, up, v_down, v_up;
         for (int k = 0; k <= 50; ++k) {
             up.push_back(2.0 * k);
@@ -61,11 +61,11 @@ TEST(ComplianceOffset, IsTwoPercentOfTheUpperQuarterOfTheWayDown) {
             v_up.push_back(up.back() > 40.0 ? up.back() : 40.0 - compliance_below * (40.0 - up.back()));
             v_down.push_back(down.back() > 75.0 ? down.back() : 75.0 - 0.7 * (75.0 - down.back()));
         }
-        return *compliance_offset_opening(down, v_down, up, v_up);
+        return *opened(down, v_down, up, v_up);
     };
-    EXPECT_NEAR(opened(0.9), 40.0, 2.0);
-    EXPECT_NEAR(opened(0.97), 40.0, 2.0);
-    EXPECT_EQ(opened(0.985), 0.0) << "open all the way";
+    EXPECT_NEAR(opened_by(0.9), 40.0, 2.0);
+    EXPECT_NEAR(opened_by(0.97), 40.0, 2.0);
+    EXPECT_EQ(opened_by(0.985), 0.0) << "open all the way";
 }
 
 // What the secant of a long increment tells depends on where it ends.
