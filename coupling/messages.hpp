@@ -158,7 +158,7 @@ struct TipReport {
     double CTOD = -1;  // mm; negative: the 90 degree intercept is not in the zone
     // mm, at the distance behind it that the patch asks for; NaN: not in the zone
     double opening = std::numeric_limits<double>::quiet_NaN();
-    // Ascending, apart from one another (flow_shells.hpp): in this half cycle, and ever.
+    // Ascending, apart from one another (flow_shells.hpp): in this half cycle but for the wake, and ever.
     std::vector<FlowShell> flow = {}, flow_ever = {};
 };
 

@@ -17,6 +17,10 @@ namespace {
 /// with it the extent of a plastic zone.
 constexpr double least_flow = 1e-6;
 
+/// From the line ahead of a tip. Farther round lies the wake, which flows by itself: where an overload has opened it,
+/// its faces yield for as long as they are pressed, ever farther behind the tip, which may be elastic by then.
+constexpr double wake_begins = 0.75 * std::numbers::pi, about_line_ahead = std::numbers::pi / 12.0;
+
 void raise(double& largest, double value) { largest = std::max(largest, value); }
 
 }  // namespace
@@ -55,9 +59,9 @@ void BulkSummary::look_at(const Bulk& bulk, int e) {
         const auto own = at(std::ranges::min_element(tips, {}, distance) - tips.begin());
         const TipPolar polar = tip_polar(tips[own], points[q].x, 0);
         if (history.accumulated(e, q) > least_flow) raise(extents[own].ever, polar.r);
-        if (history.flow(e, q) <= least_flow) continue;
+        if (history.flow(e, q) <= least_flow || std::abs(polar.theta) > wake_begins) continue;
         raise(extents[own].zone, polar.r);
-        if (std::abs(polar.theta) <= std::numbers::pi / 12.0) raise(extents[own].axis, polar.r);
+        if (std::abs(polar.theta) <= about_line_ahead) raise(extents[own].axis, polar.r);
     }
 }
 

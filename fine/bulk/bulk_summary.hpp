@@ -31,7 +31,8 @@ public:
     /// How far plasticity reaches from a tip of the mesh. A point belongs to the tip that is nearest to it, and to no
     /// other one.
     struct PlasticExtent {
-        std::vector<coupling::FlowShell> flow, flow_ever;  // joined
+        std::vector<coupling::FlowShell> flow;       // in this half cycle, within 135 degrees of the line ahead; joined
+        std::vector<coupling::FlowShell> flow_ever;  // joined
     };
     /// One per tip. `mesh`: of the bulk.
     [[nodiscard]] std::vector<PlasticExtent> plastic_extents(const EnrichedMesh& mesh) const;
@@ -41,7 +42,7 @@ private:
 
     struct Extent {
         double ever = 0.0;  // largest distance of a point that has ever yielded, mm
-        double zone = 0.0;  // of one that has yielded in this half cycle, mm
+        double zone = 0.0;  // of one that has yielded in this half cycle, and not in the wake, mm
         double axis = 0.0;  // of these, within 15 degrees of the line ahead, mm
     };
     std::size_t tips_;

@@ -1,6 +1,7 @@
 // What a bulk has stored and dissipated and where it flows, kept up from commit to commit.
 #include "fine/bulk/bulk_summary.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "common/index.hpp"
@@ -11,6 +12,33 @@ namespace stria::test {
 namespace {
 
 using fine::Bulk;
+
+// The corners behind the tip are farther off than those ahead. Where nothing flows but the faces, a tip has no zone.
+TEST(BulkSummary, CountsNoFlowOfTheWake) {
+    const Case edge = plate_case({{0.0, 2.4}, {3.3, 2.6}});
+    const EnrichedMesh mesh = plate_mesh(6, 5, edge);
+    const Eigen::VectorXd u = random_vector(mesh.unknowns, 4e-2, 1);
+    const auto extents_at = [&](const Eigen::VectorXd& displacement) {
+        Bulk bulk = make_bulk(mesh, edge);
+        bulk.evaluate(displacement);
+        bulk.commit(false);
+        return fine::BulkSummary(bulk).plastic_extents(mesh)[0];
+    };
+    const auto everywhere = extents_at(u);
+    EXPECT_GT(everywhere.flow_ever.at(0).reach, 3.8);
+    EXPECT_GT(everywhere.flow.at(0).reach, 3.0);
+    EXPECT_LT(everywhere.flow.at(0).reach, std::hypot(6.0 - 3.3, 2.6));
+    Eigen::VectorXd at_the_mouth = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (int node = 0; node < std::ssize(mesh.nodes); ++node) {
+        const Vec2& x = mesh.nodes[at(node)];
+        if (x.x() > 0.5 || std::abs(x.y() - 2.5) > 1.0) continue;
+        const int first = mesh.unknown(node, 0, 0);
+        at_the_mouth.segment<2>(first) = u.segment<2>(first);
+    }
+    const auto wake = extents_at(at_the_mouth);
+    EXPECT_FALSE(wake.flow_ever.empty());
+    EXPECT_TRUE(wake.flow.empty());
+}
 
 // Rounding decides which points that come back to the yield stress flow by as little.
 TEST(BulkSummary, CountsNoFlowOfRounding) {
