@@ -195,7 +195,8 @@ void Bulk::add_trial_force(int e) {
     }
 }
 
-// The elastic matrix plus what yielding takes away at the points that yield, but for idle ones.
+// The elastic matrix plus what yielding takes away at the points that yield, but for idle ones, and at first for those
+// of thin sides that flow far.
 template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel, double slight) {
     const bool softens = history_.yields(e) && !(history_.largest_plastic_increment(e) < slight);
     if (softens || softened_.contains(e))
@@ -209,9 +210,10 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel, dou
     }
     softened_.insert(e);
     ++counts_.tangents_computed;
+    const double flow_at_first = slight > 0.0 ? history_.largest_plastic_increment(e) : 0.0;
     typename Kernel::Matrix K = elements_.stiffness()[at(e)];
     for (std::size_t q = 0; q < at(history_.points(e)); ++q)
-        if (history_.yields(e, q) && !idle_.contain(e, elements_.op(e).points[q]))
+        if (history_.yields(e, q) && !idle_.contain(e, elements_.op(e).points[q], flow_at_first))
             kernel.add_stiffness(history_.tangent(e, q) - elements_.elastic_stiffness(e), q, K);
     tangents_[at(e)] = K;
 }

@@ -24,12 +24,12 @@ BulkElements beside_a_node(double gap, double slope) {
 }
 
 /// With the sides of their points.
-std::set<std::pair<int, int>> idle_in(const BulkElements& elements, double tolerance) {
+std::set<std::pair<int, int>> idle_in(const BulkElements& elements, double tolerance, double flow = 0.0) {
     const IdleSides idle(elements, tolerance);
     std::set<std::pair<int, int>> found;
     for (int e = 0; e < elements.count(); ++e)
         for (const IntegrationPoint& point : elements.op(e).points)
-            if (idle.contain(e, point)) found.emplace(e, point.side);
+            if (idle.contain(e, point, flow)) found.emplace(e, point.side);
     return found;
 }
 
@@ -45,6 +45,14 @@ TEST(IdleSides, AreNoLargerThanAHundredthOfAnElementWhateverIsTolerated) {
     const BulkElements elements = beside_a_node(2e-3, 0.14);
     EXPECT_EQ(idle_in(elements, 0.5).size(), 1U);
     EXPECT_TRUE(idle_in(beside_a_node(0.06, 0.14), 0.5).empty());  // 1.3 hundredths
+}
+
+TEST(IdleSides, AreThinUpToAHundredthOfAnElementWhateverIsTolerated) {
+    const std::set<std::pair<int, int>> triangle{{3 * 8 + 3, 1}};
+    EXPECT_EQ(idle_in(beside_a_node(0.04, 0.14), 1e-9, 2e-3), triangle);  // 0.6 hundredths
+    EXPECT_TRUE(idle_in(beside_a_node(0.04, 0.14), 1e-9).empty());
+    EXPECT_TRUE(idle_in(beside_a_node(0.04, 0.14), 1e-9, 5e-4).empty()) << "it flows as metal does";
+    EXPECT_TRUE(idle_in(beside_a_node(0.06, 0.14), 1e-9, 2e-3).empty());  // 1.3 hundredths
 }
 
 }  // namespace
