@@ -2,17 +2,17 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "coarse/equilibrium/equilibrium.hpp"
+#include "common/regula_falsi.hpp"
 
 namespace stria::coarse {
 
 /// Watches the states of one increment. The potential of a hardening body is convex in its displacements, so what is
 /// out of balance does less and less work along a correction, and where that work is negative the best part of it lies
 /// behind. Full steps are best while they lead anywhere (docs/method.md, section 6). Where they do not, the root of the
-/// work is looked for by regula falsi in its Illinois form (Dowell and Jarratt, BIT 11 (1971) 168).
+/// work is looked for by regula falsi.
 class LineSearch {
 public:
     /// `state`: just evaluated. What is still to be taken of the last correction, below zero: to be given back; zero:
@@ -20,43 +20,21 @@ public:
     double further(const Residual& state) {
         if (tries_ == 0) begin(state);
         const double left = start_ > 0.0 ? state.along / start_ : 0.0;
-        const bool found = std::abs(left) <= little || (left > 0.0 && !beyond_);
+        const bool found = std::abs(left) <= little || (left > 0.0 && !root_.has_passed());
         if (found || !is_stuck() || tries_++ == most) {
             tries_ = 0;
             return 0.0;
         }
-        narrow(left);
-        const double from = part_;
-        part_ = before_.part + (beyond_->part - before_.part) * before_.left / (before_.left - beyond_->left);
-        return part_ - from;
+        const double from = root_.guess();
+        root_.narrow(left);
+        return root_.guess() - from;
     }
 
 private:
-    struct Point {
-        double part;  // of the correction
-        double left;  // of the work that it began with
-    };
-
     void begin(const Residual& state) {
         residuals_.push_back(state.interior);
         start_ = state.along_before;
-        part_ = 1.0;
-        before_ = {0.0, 1.0};
-        beyond_.reset();
-        last_side_ = 0;
-    }
-
-    // The root stays between the two ends; one that stays twice counts half.
-    void narrow(double left) {
-        const int side = left > 0.0 ? 1 : -1;
-        if (side > 0) {
-            before_ = {part_, left};
-            if (last_side_ == side) beyond_->left *= 0.5;
-        } else {
-            beyond_ = {part_, left};
-            if (last_side_ == side) before_.left *= 0.5;
-        }
-        last_side_ = side;
+        root_ = RegulaFalsi();
     }
 
     // After the corrections so far the residual is no smaller than half of what it was two of them ago.
@@ -69,10 +47,9 @@ private:
     static constexpr int most = 5;  // parts of one correction
     static constexpr double little = 0.5;
     std::vector<double> residuals_;  // of the states that corrections began or ended at
-    int tries_ = 0, last_side_ = 0;
-    double start_ = 0.0, part_ = 1.0;
-    Point before_{0.0, 1.0};
-    std::optional<Point> beyond_;
+    int tries_ = 0;
+    double start_ = 0.0;  // the work that the correction began with
+    RegulaFalsi root_;    // of what is left of it, in parts of the correction
 };
 
 }  // namespace stria::coarse

@@ -8,7 +8,6 @@
 #include "coupling/work_counts.hpp"
 #include "coupling/zone_snapshot.hpp"
 #include "fine/bulk/bulk_elements.hpp"
-#include "fine/bulk/idle_sides.hpp"
 #include "fine/bulk/points/element_kernels.hpp"
 #include "fine/bulk/points/element_values.hpp"
 #include "fine/bulk/points/point_history.hpp"
@@ -47,13 +46,14 @@ public:
     /// Writes all that is committed, but for the displacements.
     void remember(coupling::ZoneSnapshot& out) const;
 
-    /// Relative residual that Newton's method leaves: tangents stay elastic on sides that bear no more (IdleSides).
-    void tolerate(double residual) { idle_ = IdleSides(elements_, residual); }
-
     /// Stresses, internal forces and tangents at committed state + (u - committed u). Repeatable: same u, same bits.
     /// `elastic`: as if no point flowed. Elements that flow by less than `slight`, a plastic strain, keep their elastic
     /// tangent.
     void evaluate(const Eigen::VectorXd& u, bool elastic = false, double slight = 0.0);
+    /// The same of some of the elements, where they are not at rest; `u` differs from what has been evaluated in
+    /// unknowns of no others. The sums over elements stay until sum_forces().
+    void evaluate_again(const std::vector<int>& elements, const Eigen::VectorXd& u);
+    void sum_forces();
 
     /// Trial becomes committed. `reversal`: with this increment a half cycle ends; plastic extents start anew after it.
     /// `counts`: as one of the load's, which tells what will flow the next time.
@@ -69,6 +69,8 @@ public:
     [[nodiscard]] const Eigen::VectorXd& internal_force() const { return force_; }
     /// Sum over elements of |nodal force|, per unknown: the scale against which a residual is small.
     [[nodiscard]] const Eigen::VectorXd& force_scale() const { return force_scale_; }
+    /// Of an element, in the order of its unknowns.
+    [[nodiscard]] auto trial_force(int e) const { return trial_force_.of(e); }
     /// Of an element, 2f x 2f where it has f functions.
     [[nodiscard]] const Eigen::MatrixXd& tangent(int e) const {
         return softened_.contains(e) ? tangents_[at(e)] : elements_.stiffness()[at(e)];
@@ -120,9 +122,11 @@ private:
     void begin_elastic(int e);
     [[nodiscard]] Eigen::Matrix2d gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const;
     template <class Kernel> void find_trial_force(int e, const Kernel& kernel);
-    template <class Kernel> void find_tangent(int e, const Kernel& kernel, double slight);
+    template <class Kernel> void find_tangent(int e, const Kernel& kernel);
+    void evaluate_element(int e);
     void add_trial_force(int e);
     void update_points();
+    void update_points(int e);
     /// Committed, or that at which an element came to rest.
     [[nodiscard]] const Eigen::VectorXd& standing_displacement(int e) const {
         return resting_.contains(e) ? resting_.displacement() : committed_u_;
@@ -132,7 +136,6 @@ private:
     }
 
     BulkElements elements_;
-    IdleSides idle_;
     PointHistory history_;
     RestingElements resting_;
     StandingPoints stand_;
@@ -140,6 +143,7 @@ private:
     ElementValues trial_force_;  // nodal, of each element; of those at rest where they came to rest
     Eigen::VectorXd committed_u_, trial_u_;
     Eigen::VectorXd increment_;  // trial less committed displacement
+    double slight_ = 0.0;        // of the last evaluation
     Eigen::VectorXd force_, force_scale_;
     std::vector<Eigen::MatrixXd> tangents_;  // of those that have softened; the others' are elastic
     ElementSet changed_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/fem/centre.hpp"
+
 namespace stria::fine {
 
 StandingPoints::StandingPoints(const BulkElements& elements, const StandingPoints* old)

@@ -63,7 +63,7 @@ void ZoneSystem::make_contact(const coupling::Patch& patch) {
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = memory_.committed;
-    bulk_->tolerate(input_.tolerance);
+    soft_jumps_ = SoftJumps(bulk_->elements(), patch_.boundary, input_.tolerance);
     summary_.emplace(*bulk_);  // new weights are no flow
     at_rest_ = ZoneAtRest(*bulk_, *contact_, UnknownSet(patch_.mesh.unknowns + contact_->tractions()));
     contact_->settle(memory_.committed.displacement);
@@ -105,21 +105,28 @@ void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd
 
 void ZoneSystem::linearise() {
     if (steps_ == 1) memory_.opening.begin(trial_.displacement - memory_.committed.displacement);
+    const Eigen::VectorXd load = load_beside_metal();
     {
         const Stopwatch watch(constitutive_s_);
         bulk_->evaluate(trial_.displacement, loading_.elastic, input_.slight_flow(steps_));
+        soft_jumps_.settle(*bulk_, trial_.displacement, load);
     }
     const Stopwatch watch(contact_s_);
     jumps_ = contact_->jumps_that_matter(trial_.displacement, trial_.traction, contact_work_);
     // Growth has moved nothing. What overlaps yet is how dual multipliers see a frozen function: new faces shall open.
     if (steps_ > 0 || !memory_.opening.any()) contact_->choose_statuses(trial_.traction, jumps_);
-    Eigen::VectorXd force = bulk_->internal_force();
-    contact_->operators().add_force(contact_->awake(trial_.traction), force);
-    load_ = loading_.load_factor * patch_.unit_load - force;
-    // Factors beyond the end of those given are zero, as where an initial stress comes to equilibrium.
-    if (patch_.case_loads.cols() > 0) load_ += patch_.case_loads.leftCols(loading_.cases.size()) * loading_.cases;
-    memory_.opening.hold(loading_.held, load_);
+    load_ = load - bulk_->internal_force();
     at_rest_.forget_response();
+}
+
+// Of the outside, the faces, and what holds new ones back.
+Eigen::VectorXd ZoneSystem::load_beside_metal() const {
+    Eigen::VectorXd load = loading_.load_factor * patch_.unit_load, faces = Eigen::VectorXd::Zero(load.size());
+    // Factors beyond the end of those given are zero, as where an initial stress comes to equilibrium.
+    if (patch_.case_loads.cols() > 0) load += patch_.case_loads.leftCols(loading_.cases.size()) * loading_.cases;
+    memory_.opening.hold(loading_.held, load);
+    contact_->operators().add_force(contact_->awake(trial_.traction), faces);
+    return load - faces;
 }
 
 void ZoneSystem::add_response(const Eigen::VectorXd& load) {
@@ -163,50 +170,6 @@ Eigen::VectorXd ZoneSystem::moved_since_rest() const {
     Eigen::VectorXd moved(patch_.mesh.unknowns + contact_->tractions());
     moved << trial_.displacement - bulk_->resting().displacement(), trial_.traction - contact_->resting().traction();
     return moved;
-}
-
-coupling::PatchResponse ZoneSystem::measure() {
-    coupling::PatchResponse response;
-    UnknownSet followed = at_rest_.inside();  // by the structure, or by the others
-    for (const int unknown : patch_.boundary) followed.insert(unknown);
-    response.interior_force = at_rest_.force_scale();
-    const bool some_rest = at_rest_.response().size() > 0;
-    Eigen::VectorXd scale = bulk_->force_scale();
-    if (some_rest) scale += at_rest_.response().head(scale.size()).cwiseAbs();
-    for (int i = 0; i < patch_.mesh.unknowns; ++i) {
-        response.interior_force = std::max(response.interior_force, scale[i]);
-        if (!followed.contains(i))
-            response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
-    }
-    response.contact_residual = contact_->residual(trial_.traction, jumps_);
-    if (some_rest)
-        response.contact_residual = std::max(
-            response.contact_residual, contact_->residual_at_rest(at_rest_.response().tail(contact_->tractions())));
-    response.interior_correction = largest_move_;
-    response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
-    response.digest.yielding_points = yielding_points(*bulk_);
-    response.digest.largest_plastic_increment = largest_plastic_increment(*bulk_);
-    for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
-        response.digest.force_ahead.push_back(force_ahead(*bulk_, patch_.mesh.tips[t], patch_.ahead[t]));
-    measure_faces(response.digest);
-    return response;
-}
-
-void ZoneSystem::measure_faces(coupling::Digest& digest) const {
-    put_faces({.patch = patch_,
-               .contact = *contact_,
-               .frozen = memory_.frozen,
-               .displacement = trial_.displacement,
-               .traction = trial_.traction,
-               .jumps = jumps_,
-               .smallest_slip = smallest_slip()},
-              digest);
-}
-
-double ZoneSystem::smallest_slip() const {
-    constexpr double rounding = 1e-8;  // of a displacement
-    return rounding * std::max(trial_.displacement.lpNorm<Eigen::Infinity>(),
-                               memory_.committed.displacement.lpNorm<Eigen::Infinity>());
 }
 
 coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {

@@ -7,6 +7,7 @@
 
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
+#include "fine/bulk/soft_jumps.hpp"
 #include "fine/contact/contact_interface.hpp"
 #include "fine/material/catalogue/material_catalogue.hpp"
 #include "fine/zone/taken_over.hpp"
@@ -112,6 +113,7 @@ private:
     TakenOver begin_zone(const coupling::Patch& patch);
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
+    [[nodiscard]] Eigen::VectorXd load_beside_metal() const;
     [[nodiscard]] double smallest_slip() const;
     [[nodiscard]] ZoneUnknowns way_to_trial() const {
         return {trial_.displacement - memory_.committed.displacement, trial_.traction - memory_.committed.traction};
@@ -125,6 +127,7 @@ private:
     ZoneSections input_;
     coupling::Patch patch_;
     std::unique_ptr<Bulk> bulk_;
+    SoftJumps soft_jumps_;
     std::optional<BulkSummary> summary_;  // of the committed bulk
     std::unique_ptr<ContactInterface> contact_;
     std::vector<TipRings> rings_;  // per tip

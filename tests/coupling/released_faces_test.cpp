@@ -110,16 +110,22 @@ Case plate_with_a_crack_that_waits() {
     return growing;
 }
 
-void expect_same_iterates(const RunHistory& one, const RunHistory& two) {
+/// Calls visit(iterations of one, of two) of each release.
+template <class Visit> void for_each_release(const RunHistory& one, const RunHistory& two, Visit&& visit) {
     ASSERT_EQ(two.attempts.size(), one.attempts.size());
     for (std::size_t k = 0; k < one.attempts.size(); ++k) {
         const auto& [step, report] = one.attempts[k];
-        const auto& iterations = two.attempts[k].second.iterations;
-        if (!step.reversal || step.ends_cycle) continue;  // no release
-        ASSERT_EQ(iterations.size(), report.iterations.size()) << report.table();
-        for (std::size_t i = 0; i < iterations.size(); ++i)
-            EXPECT_EQ(iterations[i].residual.yielding_points, report.iterations[i].residual.yielding_points);
+        if (step.reversal && !step.ends_cycle) visit(report.iterations, two.attempts[k].second.iterations);
     }
+}
+
+/// They begin with the same state, end with the same one behind as many iterates, and release the same.
+void expect_same_releases(const RunHistory& one, const RunHistory& two) {
+    for_each_release(one, two, [](const auto& iterations, const auto& others) {
+        ASSERT_EQ(others.size(), iterations.size());
+        EXPECT_EQ(others.front().residual.yielding_points, iterations.front().residual.yielding_points);
+        EXPECT_EQ(others.back().residual.yielding_points, iterations.back().residual.yielding_points);
+    });
     ASSERT_EQ(two.increments.size(), one.increments.size());
     const double scale = one.increments.back().work.released;
     EXPECT_GT(scale, 0.0);
@@ -127,15 +133,25 @@ void expect_same_iterates(const RunHistory& one, const RunHistory& two) {
         EXPECT_NEAR(two.increments[k].work.released, one.increments[k].work.released, 1e-9 * scale) << k;
 }
 
+void expect_same_iterates(const RunHistory& one, const RunHistory& two) {
+    expect_same_releases(one, two);
+    for_each_release(one, two, [](const auto& iterations, const auto& others) {
+        for (std::size_t i = 0; i < iterations.size(); ++i)
+            EXPECT_EQ(others[i].residual.yielding_points, iterations[i].residual.yielding_points);
+    });
+}
+
 void expect_same_iterates(const Case& input) {
     MonolithicFactory factory(input);
     expect_same_iterates(run_analysis(input, factory), run_direct(input));
 }
 
-void expect_same_iterates_of_ranks(const Case& input, int ranks) {
+// Each rank has its own elements at rest, and soft jumps beside these are left to Newton's method: iterates between the
+// first and the last differ.
+void expect_same_releases_of_ranks(const Case& input, int ranks) {
     FineSide fine(input, ranks);
     coarse::CondensedFactory factory(&fine.scale(), input);
-    expect_same_iterates(run_direct(input), run_analysis(input, factory));
+    expect_same_releases(run_direct(input), run_analysis(input, factory));
 }
 
 TEST(ReleasedFaces, TakeTheSameIteratesInTwoComponentsAsInOneMatrix) { expect_same_iterates(plate_near_its_limit()); }
@@ -174,11 +190,11 @@ TEST(ReleasedFaces, DoNoWorkByTrapezoidsWithRanksBeside) {
 
 // Nothing has moved when a release begins, and nothing else says to a rank which opens no faces that it has begun: what
 // lies on the yield surface there is not to flow by what the last increment has left out of balance.
-TEST(ReleasedFaces, TakeTheSameIteratesOnRanksBeside) {
-    for (const int ranks : {2, 3}) expect_same_iterates_of_ranks(plate_of_two_metals(), ranks);
+TEST(ReleasedFaces, BeginAndEndAlikeOnRanksBeside) {
+    for (const int ranks : {2, 3}) expect_same_releases_of_ranks(plate_of_two_metals(), ranks);
 }
 
-TEST(ReleasedFaces, OfTwoCracksReleaseTheSameOnTwoRanks) { expect_same_iterates_of_ranks(plate_with_two_cracks(), 2); }
+TEST(ReleasedFaces, OfTwoCracksReleaseTheSameOnTwoRanks) { expect_same_releases_of_ranks(plate_with_two_cracks(), 2); }
 
 // Their points weigh more or less than before the crack was there.
 TEST(ReleasedFaces, TakeNothingOfWhatHasBeenDissipated) {
