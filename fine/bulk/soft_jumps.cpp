@@ -61,22 +61,23 @@ std::vector<int> SoftJumps::unknowns() const {
     return unknowns;
 }
 
-void SoftJumps::settle(Bulk& bulk, Eigen::VectorXd& u, const Eigen::VectorXd& load) const {
-    const std::vector<Group> groups = flowing(bulk);
+void SoftJumps::settle(Bulk& bulk, Eigen::VectorXd& u, const Eigen::VectorXd& load, const UnknownSet& held) const {
+    const std::vector<Group> groups = flowing(bulk, held);
     for (const Group& group : groups) settle(group, bulk, u, load);
     if (!groups.empty()) bulk.sum_forces();
 }
 
 // From each element that flows on to those that share a soft jump with it.
-std::vector<SoftJumps::Group> SoftJumps::flowing(const Bulk& bulk) const {
+std::vector<SoftJumps::Group> SoftJumps::flowing(const Bulk& bulk, const UnknownSet& held) const {
     std::vector<Group> groups;
     std::vector<char> met(jumps_.size());
     for (std::size_t first = 0; first < jumps_.size(); ++first) {
         std::vector<int> found;
         const auto meet = [&](int jump) {
-            const std::vector<int>& elements = jumps_[at(jump)].elements;
+            const auto& [unknown, elements] = jumps_[at(jump)];
             if (std::exchange(met[at(jump)], 1) == 0 && contains_any(bulk.softened(), elements) &&
-                !contains_any(bulk.resting().elements(), elements))
+                !contains_any(bulk.resting().elements(), elements) && !held.contains(unknown) &&
+                !held.contains(unknown + 1))
                 found.push_back(jump);
         };
         meet(static_cast<int>(first));

@@ -26,7 +26,8 @@ public:
 
     /// Brings those in elements that flow to equilibrium with `load`, the forces on all unknowns but for those of the
     /// metal, N/mm. `u`: as the bulk was evaluated last, mm; their amplitudes change, and the bulk is evaluated there.
-    void settle(Bulk& bulk, Eigen::VectorXd& u, const Eigen::VectorXd& load) const;
+    /// `held`: unknowns that stay as they are.
+    void settle(Bulk& bulk, Eigen::VectorXd& u, const Eigen::VectorXd& load, const UnknownSet& held) const;
 
 private:
     struct Jump {
@@ -49,7 +50,7 @@ private:
         [[nodiscard]] bool within(double share, double rounding) const;
     };
 
-    [[nodiscard]] std::vector<Group> flowing(const Bulk& bulk) const;
+    [[nodiscard]] std::vector<Group> flowing(const Bulk& bulk, const UnknownSet& held) const;
     [[nodiscard]] Group group(std::vector<int> jumps, const Bulk& bulk) const;
     [[nodiscard]] static Balance balance(const Group& group, const Bulk& bulk, const Eigen::VectorXd& load);
     [[nodiscard]] static Eigen::VectorXd correction(const Group& group, const Bulk& bulk,

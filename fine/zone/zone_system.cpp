@@ -105,11 +105,11 @@ void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd
 
 void ZoneSystem::linearise() {
     if (steps_ == 1) memory_.opening.begin(trial_.displacement - memory_.committed.displacement);
-    const Eigen::VectorXd load = load_beside_metal();
+    const Eigen::VectorXd faces = force_of_faces(), load = load_beside(faces);
     {
         const Stopwatch watch(constitutive_s_);
         bulk_->evaluate(trial_.displacement, loading_.elastic, input_.slight_flow(steps_));
-        soft_jumps_.settle(*bulk_, trial_.displacement, load);
+        soft_jumps_.settle(*bulk_, trial_.displacement, load, held_by(faces));
     }
     const Stopwatch watch(contact_s_);
     jumps_ = contact_->jumps_that_matter(trial_.displacement, trial_.traction, contact_work_);
@@ -119,14 +119,30 @@ void ZoneSystem::linearise() {
     at_rest_.forget_response();
 }
 
+// On all unknowns, N/mm: faces push each other apart and brake each other.
+Eigen::VectorXd ZoneSystem::force_of_faces() const {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(patch_.mesh.unknowns);
+    contact_->operators().add_force(contact_->awake(trial_.traction), force);
+    return force;
+}
+
 // Of the outside, the faces, and what holds new ones back.
-Eigen::VectorXd ZoneSystem::load_beside_metal() const {
-    Eigen::VectorXd load = loading_.load_factor * patch_.unit_load, faces = Eigen::VectorXd::Zero(load.size());
+Eigen::VectorXd ZoneSystem::load_beside(const Eigen::VectorXd& faces) const {
+    Eigen::VectorXd load = loading_.load_factor * patch_.unit_load;
     // Factors beyond the end of those given are zero, as where an initial stress comes to equilibrium.
     if (patch_.case_loads.cols() > 0) load += patch_.case_loads.leftCols(loading_.cases.size()) * loading_.cases;
     memory_.opening.hold(loading_.held, load);
-    contact_->operators().add_force(contact_->awake(trial_.traction), faces);
     return load - faces;
+}
+
+// Once faces have found what they do, the gap of one that bears holds its jump. To give way to the tractions as they
+// are would open and close it by turns.
+UnknownSet ZoneSystem::held_by(const Eigen::VectorXd& faces) const {
+    constexpr int states = 5;
+    UnknownSet held(faces.size());
+    for (Eigen::Index i = 0; steps_ >= states && i < faces.size(); ++i)
+        if (faces[i] != 0.0) held.insert(i);
+    return held;
 }
 
 void ZoneSystem::add_response(const Eigen::VectorXd& load) {

@@ -113,7 +113,9 @@ private:
     TakenOver begin_zone(const coupling::Patch& patch);
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
-    [[nodiscard]] Eigen::VectorXd load_beside_metal() const;
+    [[nodiscard]] Eigen::VectorXd force_of_faces() const;
+    [[nodiscard]] Eigen::VectorXd load_beside(const Eigen::VectorXd& faces) const;
+    [[nodiscard]] UnknownSet held_by(const Eigen::VectorXd& faces) const;
     [[nodiscard]] double smallest_slip() const;
     [[nodiscard]] ZoneUnknowns way_to_trial() const {
         return {trial_.displacement - memory_.committed.displacement, trial_.traction - memory_.committed.traction};

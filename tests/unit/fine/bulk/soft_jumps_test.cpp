@@ -69,6 +69,8 @@ struct FlowingPlate {
         return largest;
     }
 
+    [[nodiscard]] UnknownSet none() const { return UnknownSet(mesh.unknowns); }
+
     EnrichedMesh mesh = above_a_line(0.02);
     Bulk bulk = make_bulk(mesh, plate_case({}));
     SoftJumps jumps{bulk.elements(), {}, tolerance};
@@ -80,7 +82,7 @@ TEST(SoftJumps, BalanceWhereMetalFlows) {
         FlowingPlate flowing(2e-3, far);
         const Eigen::VectorXd before = flowing.u;
         const double residual = flowing.residual(), scale = flowing.bulk.force_scale().maxCoeff();
-        flowing.jumps.settle(flowing.bulk, flowing.u, Eigen::VectorXd::Zero(flowing.mesh.unknowns));
+        flowing.jumps.settle(flowing.bulk, flowing.u, Eigen::VectorXd::Zero(flowing.mesh.unknowns), flowing.none());
         EXPECT_GT(residual, 1e-3 * scale);
         EXPECT_LT(flowing.residual(), 0.02 * residual) << far;
         const std::vector<int> soft = flowing.jumps.unknowns();
@@ -92,7 +94,7 @@ TEST(SoftJumps, BalanceWhereMetalFlows) {
 
 TEST(SoftJumps, LeaveTheBulkEvaluatedWhereTheyEnd) {
     FlowingPlate flowing(2e-3, 0.01);
-    flowing.jumps.settle(flowing.bulk, flowing.u, Eigen::VectorXd::Zero(flowing.mesh.unknowns));
+    flowing.jumps.settle(flowing.bulk, flowing.u, Eigen::VectorXd::Zero(flowing.mesh.unknowns), flowing.none());
     const Eigen::VectorXd force = flowing.bulk.internal_force();
     std::vector<Eigen::MatrixXd> tangents;
     for (int e = 0; e < flowing.bulk.elements().count(); ++e) tangents.push_back(flowing.bulk.tangent(e));
@@ -101,10 +103,25 @@ TEST(SoftJumps, LeaveTheBulkEvaluatedWhereTheyEnd) {
     for (int e = 0; e < flowing.bulk.elements().count(); ++e) EXPECT_EQ(flowing.bulk.tangent(e), tangents[at(e)]) << e;
 }
 
+TEST(SoftJumps, StayWhereTheyAreHeld) {
+    FlowingPlate flowing(2e-3, 0.01);
+    const Eigen::VectorXd before = flowing.u;
+    const int first = flowing.jumps.unknowns().front();
+    UnknownSet held = flowing.none();
+    held.insert(first + 1);  // one component holds both
+    flowing.jumps.settle(flowing.bulk, flowing.u, Eigen::VectorXd::Zero(flowing.mesh.unknowns), held);
+    EXPECT_EQ(flowing.u[first], before[first]);
+    EXPECT_NE(flowing.u, before);
+    for (const int other : flowing.jumps.unknowns()) held.insert(other);
+    const Eigen::VectorXd after = flowing.u;
+    flowing.jumps.settle(flowing.bulk, flowing.u, Eigen::VectorXd::Zero(flowing.mesh.unknowns), held);
+    EXPECT_EQ(flowing.u, after);
+}
+
 TEST(SoftJumps, StayWhereNothingFlows) {
     FlowingPlate flowing(1e-7, 0.0);
     const Eigen::VectorXd before = flowing.u;
-    flowing.jumps.settle(flowing.bulk, flowing.u, Eigen::VectorXd::Ones(flowing.mesh.unknowns));
+    flowing.jumps.settle(flowing.bulk, flowing.u, Eigen::VectorXd::Ones(flowing.mesh.unknowns), flowing.none());
     EXPECT_EQ(flowing.u, before);
 }
 
