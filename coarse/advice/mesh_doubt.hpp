@@ -17,6 +17,7 @@ enum class MeshDoubtKind {
     Distance,       // of closure spans too few elements
     Reach,          // of closure, is that of a larger zone
     LifeInStrain,   // by opening loads
+    LifeInStress,   // likewise
     Growth,         // crosses whole elements
     Step,           // of growth, against the zone
     Count

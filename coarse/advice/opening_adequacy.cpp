@@ -12,6 +12,7 @@
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/load/load_history.hpp"
+#include "coarse/load/rate_law.hpp"
 #include "coarse/zone/tip_refinement.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/case/schema/method_schema.hpp"
@@ -27,6 +28,7 @@ constexpr double rounding = 1e-9;         // of an element's edge, which is a di
 constexpr double most_at_a_time = 2.0;    // elements
 constexpr double part_of_element = 0.05;  // by which growth may miss a whole number of them
 constexpr double most_of_zone = 0.1;      // at a time, in plane stress
+constexpr double known_life = 0.03;       // too long by less is not worth a word
 
 bool asks_for_opening_loads(const Case& input) { return input.growth || some_touch(input.cracks); }
 
@@ -173,6 +175,28 @@ std::optional<std::string> life_in_strain_warning(const Scene& scene, std::size_
         t);
 }
 
+/// Elements do not resolve how far the metal at a tip is stretched, so the faces behind it open less: K_op / K_max is
+/// too high by up to two elements over the zone, and converges with the first power of their size. The range of K that
+/// is left goes in by the exponent (docs/verification/closure.md, lives on elements half as large). `too_coarse`: for
+/// opening loads; from such elements nothing can be extrapolated.
+std::optional<std::string> life_in_stress_warning(const Scene& scene, std::size_t t, double zone,
+                                                  const TipElement& at_tip, bool too_coarse) {
+    if (scene.input.model.plane != PlaneState::Stress || !lives_by_closure(scene, t)) return std::nullopt;
+    const GrowthSection& growth = *scene.input.growth;
+    const bool is_measured = scene.input.closure.definition == OpeningDefinition::Contact;
+    if (!grows_by_opening_loads(growth) || !is_measured || zone <= 0.0 || too_coarse) return std::nullopt;
+    constexpr double largest_seen = 2.0;  // share of a life, per exponent and element over the zone
+    const double too_long = largest_seen * exponent_of_K(growth) * at_tip.edge / zone;
+    if (too_long < known_life) return std::nullopt;
+    const int finer = 2 * scene.input.fine.refine;
+    const std::string by = finer <= most_refined ? fmt::format(" (fine.refine = {})", finer) : "";
+    return fmt::format(
+        "tip {}: in plane stress opening loads fall with the size of elements, to the last. Where faces close the life "
+        "on elements of {:.3g} mm, {:.2g} of the forward plastic zone, is too long by up to about {:.2g} %: a second "
+        "run on elements half as large{} has half of that error, and twice its N less this one's a few percent",
+        t, at_tip.edge, at_tip.edge / zone, 100.0 * too_long, by);
+}
+
 std::vector<MeshDoubt> doubts_where_nothing_flows(const Scene& scene, std::size_t t) {
     if (!leaves_functions_in_contact(scene, t)) return {};
     const Tip& tip = scene.enriched.tips[t];
@@ -200,6 +224,7 @@ std::vector<MeshDoubt> doubts_of_openings(const Scene& scene, std::size_t t, dou
     add(MeshDoubtKind::Zone, zone_warning(t, zone, element, input.fine.refine), of_its_life(scene, t));
     if (zone.length > 0.0)
         add(MeshDoubtKind::Distance, distance_warning(t, distance, element, input.fine.refine), of_its_life(scene, t));
+    add(MeshDoubtKind::LifeInStress, life_in_stress_warning(scene, t, zone.length, element, !doubts.empty()));
     if (!input.growth) return doubts;
     if (may_touch(input.cracks[at(tip.crack)]))
         if (auto doubt = doubt_of_reach(input, t, K_I, distance, yield_stress)) doubts.push_back(std::move(*doubt));

@@ -15,6 +15,7 @@ namespace stria::coarse {
 /// - its distance of closure spans fewer than 1.2 elements;
 /// - its distance of closure, which nobody has given, is that of a K which has fallen since;
 /// - it grows by its closure in plane strain;
+/// - it grows by its opening loads in plane stress, on elements that serve these, and its life may be 3 % too long;
 /// - it grows by two elements along it or more at a time, or by one and a part;
 /// - it grows in plane stress by more than a tenth of its zone at a time, and beyond the distance of closure.
 ///

@@ -132,6 +132,39 @@ TEST_F(Advice, SaysThatALifeByClosureInPlaneStrainEndsSooner) {
     EXPECT_FALSE(says(GrowthLaw::Ctod, GrowthDriving::Range, PlaneState::Strain));
 }
 
+// Elements of 1 mm in a zone of 12.7 mm; K at which a tip looks is the usual one.
+TEST_F(Advice, SaysByHowMuchALifeByOpeningLoadsInPlaneStressIsTooLong) {
+    input.model.plane = PlaneState::Stress;
+    input.growth.emplace().increment = 1.0;
+    input.growth->law = GrowthLaw::Paris;
+    input.growth->driving = GrowthDriving::EffectiveRange;
+    input.growth->m = 4.0;
+    closure_at = 1.21;
+    const auto says = [&] {
+        const auto warnings = at(1896.0);
+        return warnings.empty() ? std::string() : warnings[0];
+    };
+    EXPECT_NE(says().find("0.079 of the forward plastic zone, is too long by up to about 63 %"), std::string::npos)
+        << says();
+    EXPECT_NE(says().find("(fine.refine = 2)"), std::string::npos) << says();
+    input.growth->m = 2.0;
+    EXPECT_NE(says().find("31 %"), std::string::npos) << says();
+    input.growth->m = 0.15;
+    EXPECT_EQ(says(), "") << "by 2 %";
+    input.growth->m = 4.0;
+    input.closure.definition = OpeningDefinition::Offset;
+    EXPECT_EQ(says(), "") << "not measured";
+    input.closure.definition = OpeningDefinition::Contact;
+    closure_at = 1.1;
+    EXPECT_EQ(says().find("too long"), std::string::npos) << "two such meshes lead nowhere";
+    closure_at = 1.21;
+    input.growth->driving = GrowthDriving::Range;
+    EXPECT_EQ(says(), "");
+    input.growth->driving = GrowthDriving::EffectiveRange;
+    input.cracks[0].contact.reset();
+    EXPECT_EQ(says(), "");
+}
+
 // Its opening loads and the distance want ten elements and 1.2.
 TEST_F(Advice, SaysWhatTooFewElementsDoToALifeByOpeningLoads) {
     input.model.plane = PlaneState::Stress;
