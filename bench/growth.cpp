@@ -48,7 +48,7 @@ void measure(int across, int refine) {
     coarse::FatigueAnalysis analysis(scene, factory, {});
     analysis.run();
     const int steps = input.load.blocks[0].cycles;
-    std::printf("| %zu | %s | %d | %.1f | %.0f |", scene.mesh.elements.size(), refine > 1 ? "within" : "moves",
+    std::printf("| %zu | %s | %d | %.1f | %.0f |", scene.mesh->elements.size(), refine > 1 ? "within" : "moves",
                 analysis.structure().unknowns(), 1e3 * analysis.effort().growth_s / steps,
                 1e3 * analysis.effort().setup_s);
     const coupling::WorkCounts made = analysis.effort().work;

@@ -107,7 +107,7 @@ Measurement measure(int elements) {
     coarse::write_vtkhdf(file, coarse::make_fields(structure, u, nullptr, {}));
     std::filesystem::remove(file);
     lap();
-    result.elements = static_cast<int>(scene.mesh.elements.size());
+    result.elements = static_cast<int>(scene.mesh->elements.size());
     result.factor_entries = structure.factor_entries();
     return result;
 }

@@ -22,7 +22,7 @@ void join(FlowShell& shell, const FlowShell& next) {
 
 }  // namespace
 
-FlowShell shell_of(const std::array<int, 4>& element, const std::vector<Vec2>& nodes, const Vec2& tip, double reach,
+FlowShell shell_of(const std::array<int, 4>& element, std::span<const Vec2> nodes, const Vec2& tip, double reach,
                    double axis) {
     const auto distance = [&](int node) { return (nodes[at(node)] - tip).norm(); };
     const auto [begin, end] = std::ranges::minmax(element | std::views::transform(distance));

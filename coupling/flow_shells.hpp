@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "common/geometry/vec2.hpp"
@@ -11,7 +12,7 @@
 namespace stria::coupling {
 
 /// Of one element. `tip`: its place; `reach`, `axis`: of the element's points, mm.
-[[nodiscard]] FlowShell shell_of(const std::array<int, 4>& element, const std::vector<Vec2>& nodes, const Vec2& tip,
+[[nodiscard]] FlowShell shell_of(const std::array<int, 4>& element, std::span<const Vec2> nodes, const Vec2& tip,
                                  double reach, double axis = 0.0);
 
 /// Shells that overlap become one: flow, as seen from the tip, with less than an element between. Ascending, and apart

@@ -184,8 +184,8 @@ int check(const RunOptions& options) {
     fmt::print("{}\n", resolved_toml(input));
     if (input.mesh.file)
         for (const std::string& line : coarse::describe_mesh_file(*input.mesh.file)) fmt::print("# {}\n", line);
-    fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
-               scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
+    fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh->nodes.size(),
+               scene.mesh->elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
     print_estimate_of_body("", scene);
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);

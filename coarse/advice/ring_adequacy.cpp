@@ -26,9 +26,10 @@ constexpr double least_for_K = 0.3;  // elements to another metal
 constexpr double elements_to_crack = 16.0, elements_without_functions = 40.0;
 
 bool share_functions(const EnrichedMesh& mesh, int tip) {
-    return std::ranges::any_of(mesh.terms, [&](const std::vector<Term>& terms) {
-        return std::ranges::any_of(
-            terms, [&](const Term& term) { return term.kind == Term::Kind::Gathered && term.owner == tip; });
+    return std::ranges::any_of(mesh.terms.nodes(), [&](int node) {
+        return std::ranges::any_of(mesh.terms[at(node)], [&](const Term& term) {
+            return term.kind == Term::Kind::Gathered && term.owner == tip;
+        });
     });
 }
 

@@ -48,7 +48,7 @@ double value_on_way(const Case& input, const CaseHistories& histories, const Uni
 /// Where the elastic body would yield.
 ElementSet yields(const NominalSolution& nominal) {
     const Scene& scene = nominal.structure->scene();
-    ElementSet found(scene.mesh.elements.size());
+    ElementSet found(scene.mesh->elements.size());
     const double limit = scene.materials.weakest_yield_stress();
     if (!std::isfinite(limit)) return found;
     const CaseHistories histories(scene.input);
@@ -120,13 +120,13 @@ double seconds_of_iteration(const WorkEstimate& work, double unknowns, bool exac
 
 /// Unknowns on the rim of the far body while nothing is a zone.
 double rim_of_body(const Scene& scene) {
-    const ElementSet far = far_elements(scene, ElementSet(scene.mesh.elements.size()));
-    NodeSet of_far(scene.mesh.nodes.size()), of_both(scene.mesh.nodes.size());
+    const ElementSet far = far_elements(scene, ElementSet(scene.mesh->elements.size()));
+    NodeSet of_far(scene.mesh->nodes.size()), of_both(scene.mesh->nodes.size());
     for (int e = 0; e < far.size(); ++e)
-        for (const int node : scene.mesh.elements[at(e)])
+        for (const int node : scene.mesh->elements[at(e)])
             if (far.contains(e)) of_far.insert(node);
     for (int e = 0; e < far.size(); ++e)
-        for (const int node : scene.mesh.elements[at(e)])
+        for (const int node : scene.mesh->elements[at(e)])
             if (!far.contains(e) && of_far.contains(node)) of_both.insert(node);
     return 2.0 * of_both.count();
 }
@@ -141,7 +141,7 @@ double seconds_of_body(const Scene& scene) {
 
 // A unit load has its forces and its displacement.
 double bytes_of_body(const Scene& scene) {
-    return bytes_of_element * static_cast<double>(scene.mesh.elements.size()) +
+    return bytes_of_element * static_cast<double>(scene.mesh->elements.size()) +
            16.0 * scene.enriched.unknowns * static_cast<double>(scene.loads.cases.size()) +
            bytes_for_rim * std::pow(rim_of_body(scene), 2) + bytes_of_cycle * cycle_count(scene.input.load);
 }

@@ -287,7 +287,7 @@ GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& crack
     input.cracks = cracks;
     GrownScene grown;
     grown.finer = body.finer_about_ends_of(input.cracks);
-    const Mesh& mesh = grown.finer ? grown.finer->scene.mesh : present.mesh;
+    const BodyMesh& mesh = grown.finer ? grown.finer->scene.mesh : present.mesh;
     constexpr int as_fine_as_it_is = 1;
     grown.longer = std::make_unique<Scene>(make_scene(input, mesh, as_fine_as_it_is));
     if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) return grown;

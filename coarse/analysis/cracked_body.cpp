@@ -36,7 +36,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
     const Stopwatch watch(effort_.setup_s);
     if (!scene.free_motions.text.empty()) note_(scene.free_motions.text);
     if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
-        still_.far = far_elements(scene, ElementSet(scene.mesh.elements.size()));
+        still_.far = far_elements(scene, ElementSet(scene.mesh->elements.size()));
         nominal_.stand_on(still_, false);
         structure_ = nominal_.solve(scene, {}, factors_);
     }
@@ -62,7 +62,7 @@ void CrackedBody::go_on_from(const AnalysisState& state) {
         scene_ = grown_.get();
     }
     require(std::ssize(state.displacement) == scene_->enriched.unknowns &&
-                state.in_zone.size() == std::ssize(scene_->mesh.elements),
+                state.in_zone.size() == std::ssize(scene_->mesh->elements),
             "a state is of the mesh of its scene");
     nominal_.go_on_from(state, *scene_, is_other);
 }
@@ -165,7 +165,7 @@ void CrackedBody::note_flow(const std::vector<std::int32_t>& yielding_points) {
 
 // Their state is kept.
 ElementSet CrackedBody::zone_with_changes(const Scene& longer) const {
-    return has_zone() ? with_changed_functions(in_zone_, scene_->enriched, longer.enriched) : in_zone_;
+    return has_zone() ? with_changed_functions(in_zone_, scene_->enriched, longer) : in_zone_;
 }
 
 ElementSet CrackedBody::zone_expected_about(const Scene& longer, ElementSet at_least) const {
@@ -191,7 +191,7 @@ void CrackedBody::choose_behind(const Scene& longer) {
     nominal_.stand_on(still_, has_zone());
     // To look for what of so few elements may serve for longer costs as much as to factor them.
     const int few = longer.input.fine.refine > 1 ? 700 : 300;
-    const auto others = std::ssize(longer.mesh.elements) - still_.far.count() - still_.middle.count();
+    const auto others = std::ssize(longer.mesh->elements) - still_.far.count() - still_.middle.count();
     if (!has_zone() || nominal_.has_behind() || others < few) return;
     const ElementSet soon = elements_to_split_soon(longer, largest_K(), whole_elements());
     nominal_.put_behind(elements_behind(longer, still_, soon));

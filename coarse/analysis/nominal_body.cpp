@@ -17,7 +17,7 @@ std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const ElementS
     const bool far_known = shared.far && shared.far->is_of(still_.far, nullptr);
     // The structure takes rings of its own scene alone.
     NominalSolution found =
-        solve_whole(body, far_known, own_ ? ElementSet(body.mesh.elements.size(), true) : zone, shared);
+        solve_whole(body, far_known, own_ ? ElementSet(body.mesh->elements.size(), true) : zone, shared);
     tips_ = std::move(found.tips);
     rings_ = own_ ? std::vector<RingForms>() : std::move(found.rings);
     unit_displacement_ = stria::coarse::unit_displacement(found.fields);
@@ -37,7 +37,7 @@ NominalSolution NominalBody::solve_whole(const Scene& scene, bool far_known, con
     note_if_large(scene, "elastic solution of the whole body", note_);
     auto core = std::exchange(shared.core, nullptr);
     shared.behind = std::move(behind_);
-    auto body = timed_condense(scene, ElementSet(scene.mesh.elements.size()), still_, shared, effort_);
+    auto body = timed_condense(scene, ElementSet(scene.mesh->elements.size()), still_, shared, effort_);
     behind_ = std::exchange(shared.behind, nullptr);
     shared.core = std::move(core);
     return far_known ? solve_nominal_near(std::move(body), for_K) : solve_nominal(std::move(body));
@@ -48,7 +48,7 @@ std::vector<TipResult> NominalBody::K_of_faces(const Scene& scene, const LoadFac
                                                StructureFactors shared) const {
     const std::unique_ptr<const Scene> own = nominal_scene(scene);
     const Scene& body = own ? *own : scene;
-    const ElementSet no_zone(scene.mesh.elements.size());
+    const ElementSet no_zone(scene.mesh->elements.size());
     shared.core = nullptr;
     shared.behind = behind_;
     Eigen::VectorXd u = Eigen::VectorXd::Zero(body.enriched.unknowns);
@@ -121,8 +121,8 @@ std::unique_ptr<Structure> timed_condense(const Scene& scene, const ElementSet& 
 }
 
 void note_if_large(const Scene& scene, const char* phase, const Note& note) {
-    if (scene.mesh.elements.size() > 100'000)
-        note(fmt::format("{} ({} elements) ...", phase, scene.mesh.elements.size()));
+    if (scene.mesh->elements.size() > 100'000)
+        note(fmt::format("{} ({} elements) ...", phase, scene.mesh->elements.size()));
 }
 
 }  // namespace stria::coarse

@@ -12,12 +12,12 @@ namespace {
 /// Elastic energy of the stress as it is given, by the centres of the elements, N.
 double energy_as_given(const Scene& scene) {
     double energy = 0.0;
-    for (int e = 0; e < std::ssize(scene.mesh.elements); ++e) {
-        const auto& nodes = scene.mesh.elements[at(e)];
-        const Vec2 a = scene.mesh.nodes[at(nodes[2])] - scene.mesh.nodes[at(nodes[0])];
-        const Vec2 b = scene.mesh.nodes[at(nodes[3])] - scene.mesh.nodes[at(nodes[1])];
+    for (int e = 0; e < std::ssize(scene.mesh->elements); ++e) {
+        const auto& nodes = scene.mesh->elements[at(e)];
+        const Vec2 a = scene.mesh->nodes[at(nodes[2])] - scene.mesh->nodes[at(nodes[0])];
+        const Vec2 b = scene.mesh->nodes[at(nodes[3])] - scene.mesh->nodes[at(nodes[1])];
         const double area = 0.5 * cross(a, b);
-        energy += area * scene.elastic(e).energy(scene.initial_stress(e, centre(scene.mesh, e)));
+        energy += area * scene.elastic(e).energy(scene.initial_stress(e, centre(*scene.mesh, e)));
     }
     return energy;
 }

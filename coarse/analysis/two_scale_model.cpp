@@ -243,7 +243,7 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown, int cycle) {
 // Each field goes on as it is; what the smaller elements do to equilibrium shows with the release of the new faces.
 CrackedBody::Outgrown TwoScaleModel::split_elements(FinerScene finer) {
     const std::vector<int> part_of = finer.part_of;
-    ElementSet split(body_.scene().mesh.elements.size());
+    ElementSet split(body_.scene().mesh->elements.size());
     for (const int whole : part_of)
         if (whole >= 0) split.insert(whole);
     displacement_.find_far(mesh(), split);

@@ -1,7 +1,10 @@
 #include "coarse/elements/coarse_elements.hpp"
 
+#include <set>
+
 #include "coarse/elements/elastic_force.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/error.hpp"
 #include "common/index_lists.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 
@@ -9,21 +12,17 @@ namespace stria::coarse {
 namespace {
 
 /// Nodes that have some of these unknowns, and those that hang on them: an element that sees one has such a corner.
-NodeSet nodes_about(const EnrichedMesh& mesh, const UnknownSet& unknowns) {
-    const auto has_some = [&](int node) {
-        for (int term = 0; term <= std::ssize(mesh.terms[at(node)]); ++term) {
-            if (mesh.follows(node, term)) continue;
-            const int first = mesh.unknown(node, term, 0);
-            if (unknowns.contains(first) || unknowns.contains(first + 1)) return true;
-        }
-        return false;
-    };
-    NodeSet nodes(mesh.nodes.size());
-    for (int node = 0; node < nodes.size(); ++node)
-        if (has_some(node)) nodes.insert(node);
+std::vector<int> nodes_about(const EnrichedMesh& mesh, const std::vector<PrescribedUnknown>& prescribed) {
+    std::set<int> nodes;
+    for (const PrescribedUnknown& p : prescribed) {
+        const int node = mesh.node_of(p.unknown);
+        require(node >= 0, "no support holds a function that many nodes share");
+        nodes.insert(node);
+    }
+    std::vector<int> about(nodes.begin(), nodes.end());
     for (const TiedNode& tie : mesh.tied)  // their ends are not tied
-        if (contains_any(nodes, tie.ends)) nodes.insert(tie.node);
-    return nodes;
+        if (contains_any(nodes, tie.ends)) about.push_back(tie.node);
+    return about;
 }
 
 }  // namespace
@@ -61,9 +60,8 @@ void CoarseElements::keep_plain_operators() {
 
 void CoarseElements::find_supported() {
     const UnknownSet prescribed = prescribed_among(scene().enriched.unknowns, scene().prescribed);
-    const NodeSet nodes = nodes_about(scene().enriched, prescribed);
-    for (int e = 0; e < in_zone_.size(); ++e) {
-        if (in_zone_.contains(e) || !contains_any(nodes, scene().enriched.elements[at(e)])) continue;
+    for (const int e : scene().mesh.elements_about(nodes_about(scene().enriched, scene().prescribed))) {
+        if (in_zone_.contains(e)) continue;
         visit_unknowns(e, [&](int, std::span<const int> unknowns) {
             if (contains_any(prescribed, unknowns)) supported_.push_back(e);
         });

@@ -29,9 +29,14 @@ struct Neighbourhood {
     }
 };
 
-void add_neighbourhood(const EnrichedMesh& mesh, int tip, const Neighbourhood& about, NodeSet& nodes) {
-    for (int n = 0; n < nodes.size(); ++n)
-        if (about.holds(mesh.tips[at(tip)], mesh.nodes[at(n)])) nodes.insert(n);
+void add_neighbourhood(const BodyMesh& mesh, const Tip& tip, const Neighbourhood& about, NodeSet& nodes) {
+    Eigen::AlignedBox2d box(tip.position);
+    box.extend(Vec2(tip.position + about.way * tip.direction));
+    const Vec2 beyond = Vec2::Constant(about.radius);
+    mesh.visit_near({box.min() - beyond, box.max() + beyond}, [&](int element) {
+        for (const int n : mesh->elements[at(element)])
+            if (about.holds(tip, mesh->nodes[at(n)])) nodes.insert(n);
+    });
 }
 
 /// How far from a tip, ahead of it, the zone reaches that is about no other tip, mm.
@@ -59,19 +64,31 @@ Neighbourhood with_room(const Scene& scene, int tip, const NodeSet& nodes_of_zon
     return {std::max(radius, reach_of_zone(scene.enriched, tip, nodes_of_zone)) + room, room};
 }
 
-/// In the body and in the nominal one.
-bool is_plain_in_both(const Scene& scene, int element) {
-    return is_plain(scene.enriched, element) && (!scene.nominal || is_plain(*scene.nominal, element));
+/// Calls visit(element) for elements with some of the nodes as corners, once a corner.
+template <class Visit> void for_each_about(const BodyMesh& mesh, const NodeSet& nodes, const Visit& visit) {
+    for (const int node : nodes.members())
+        for (const int element : mesh.around()[at(node)])
+            if (std::ranges::find(mesh->elements[at(element)], node) != mesh->elements[at(element)].end())
+                visit(element);
+}
+
+/// Nodes about which elements are not plain, in the body or in the nominal one.
+NodeSet nodes_with_functions(const Scene& scene) {
+    NodeSet nodes(scene.enriched.nodes.size());
+    for (const EnrichedMesh* mesh : {&scene.enriched, &nominal_functions(scene)}) {
+        for (const int node : mesh->terms.nodes()) nodes.insert(node);
+        for (const TiedNode& tie : mesh->tied) nodes.insert(tie.node);
+    }
+    return nodes;
 }
 
 /// Coarse elements that see one of the nodes, and those that are not plain.
-ElementSet near_about(const Scene& scene, const ElementSet& in_zone, const NodeSet& nodes) {
-    const EnrichedMesh& mesh = scene.enriched;
+ElementSet near_about(const Scene& scene, const ElementSet& in_zone, NodeSet nodes) {
     ElementSet near(in_zone.size());
-    for (int e = 0; e < in_zone.size(); ++e) {
-        if (in_zone.contains(e)) continue;
-        if (contains_any(nodes, mesh.elements[at(e)]) || !is_plain_in_both(scene, e)) near.insert(e);
-    }
+    nodes |= nodes_with_functions(scene);
+    for_each_about(scene.mesh, nodes, [&](int e) {
+        if (!in_zone.contains(e)) near.insert(e);
+    });
     return near;
 }
 
@@ -84,13 +101,10 @@ Neighbourhood about_zone(const Scene& scene, int tip, const NodeSet& nodes_of_zo
 
 /// Elements that have nothing to do with far ones, the zone or these nodes, and that no crack changes.
 ElementSet plain_beside(const Scene& scene, const ElementSet& in_zone, const ElementSet& far, const NodeSet& nodes) {
-    const EnrichedMesh& mesh = scene.enriched;
-    ElementSet middle(in_zone.size());
-    for (int e = 0; e < in_zone.size(); ++e) {
-        if (in_zone.contains(e) || far.holds(e) || !is_plain_in_both(scene, e)) continue;
-        if (!contains_any(nodes, mesh.elements[at(e)])) middle.insert(e);
-    }
-    return middle;
+    ElementSet others = near_about(scene, in_zone, nodes);
+    others |= in_zone;
+    if (far.size() > 0) others |= far;
+    return others.complement();
 }
 
 ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& far,
@@ -98,12 +112,12 @@ ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const 
     if (!scene.input.growth) return {};
     const EnrichedMesh& mesh = scene.enriched;
     const NodeSet nodes = nodes_of(mesh, in_zone);
-    const ElementSet may = plain_beside(scene, in_zone, far, nodes);
-    if (known.size() == in_zone.size() && !known.none() && known.is_subset_of(may)) return known;
+    if (known.size() == in_zone.size() && !known.none() && known.is_subset_of(plain_beside(scene, in_zone, far, nodes)))
+        return known;
     for (const int steps : {10, 5, 2}) {
         NodeSet with_room = nodes;
         for (int t = 0; t < std::ssize(mesh.tips); ++t)
-            add_neighbourhood(mesh, t, about_zone(scene, t, nodes, steps), with_room);
+            add_neighbourhood(scene.mesh, mesh.tips[at(t)], about_zone(scene, t, nodes, steps), with_room);
         const ElementSet middle = plain_beside(scene, in_zone, far, with_room);
         const int core = in_zone.size() - far.count() - in_zone.count() - middle.count();
         if (middle.count() > 2 * core) return middle;
@@ -119,16 +133,15 @@ Neighbourhood about_way(const Scene& scene, int tip, int steps) {
 }
 
 /// Nodes of elements that a split of these changes, and of those beside them: what hangs on an edge may become free.
-NodeSet nodes_about_splits(const EnrichedMesh& mesh, const ElementSet& split) {
+NodeSet nodes_about_splits(const BodyMesh& body, const EnrichedMesh& mesh, const ElementSet& split) {
     const NodeSet corners = nodes_of(mesh, split);
     NodeSet changing = corners;
     for (const TiedNode& tie : mesh.tied)
         if (contains_any(corners, tie.ends)) changing.insert(tie.node);
     NodeSet about(mesh.nodes.size());
-    if (changing.none()) return about;
-    for (const auto& nodes : mesh.elements)
-        if (contains_any(changing, nodes))
-            for (const int node : nodes) about.insert(node);
+    for_each_about(body, changing, [&](int element) {
+        for (const int node : body->elements[at(element)]) about.insert(node);
+    });
     return about;
 }
 
@@ -167,7 +180,8 @@ bool disjoint(const ElementSet& a, const ElementSet& b) {
 ElementSet near_elements(const Scene& scene, const ElementSet& in_zone) {
     const EnrichedMesh& mesh = scene.enriched;
     NodeSet nodes = nodes_of(mesh, in_zone);
-    for (int t = 0; t < std::ssize(mesh.tips); ++t) add_neighbourhood(mesh, t, {largest_ring(scene, t), 0.0}, nodes);
+    for (int t = 0; t < std::ssize(mesh.tips); ++t)
+        add_neighbourhood(scene.mesh, mesh.tips[at(t)], {largest_ring(scene, t), 0.0}, nodes);
     return near_about(scene, in_zone, nodes);
 }
 
@@ -177,7 +191,8 @@ ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const Ele
         return known;
     const NodeSet of_zone = nodes_of(mesh, in_zone);
     NodeSet nodes = of_zone;
-    for (int t = 0; t < std::ssize(mesh.tips); ++t) add_neighbourhood(mesh, t, with_room(scene, t, of_zone), nodes);
+    for (int t = 0; t < std::ssize(mesh.tips); ++t)
+        add_neighbourhood(scene.mesh, mesh.tips[at(t)], with_room(scene, t, of_zone), nodes);
     ElementSet close = near_about(scene, in_zone, nodes);
     if (close.none()) return ElementSet(in_zone.size());
     return (close |= in_zone).complement();
@@ -192,11 +207,11 @@ StillElements still_elements(const Scene& scene, const ElementSet& in_zone, cons
 ElementSet elements_behind(const Scene& scene, const StillElements& still, const ElementSet& soon) {
     const EnrichedMesh& mesh = nominal_functions(scene);
     if (!scene.input.growth || !scene.enriched.left_tips.empty()) return {};
-    const NodeSet of_splits = nodes_about_splits(mesh, soon);
+    const NodeSet of_splits = nodes_about_splits(scene.mesh, mesh, soon);
     for (const int steps : {10, 5, 2}) {
         NodeSet changing = of_splits;
         for (int t = 0; t < std::ssize(mesh.tips); ++t)
-            add_neighbourhood(mesh, t, about_way(scene, t, steps), changing);
+            add_neighbourhood(scene.mesh, mesh.tips[at(t)], about_way(scene, t, steps), changing);
         const ElementSet behind = others_without_tips(mesh, still, changing);
         const int core = behind.size() - still.far.count() - still.middle.count() - behind.count();
         if (behind.count() > 2 * core && spares_work(mesh, still, behind)) return behind;

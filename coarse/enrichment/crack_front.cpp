@@ -124,24 +124,24 @@ std::size_t nearest_front(const Mesh& mesh, std::span<const CrackPiece> pieces, 
 }
 
 /// The piece of a straight crack in the next element; none beyond a node, or beside an element of another size.
-std::optional<CrackPiece> straight_on(const Mesh& mesh, const CrackPiece& last, const Vec2& direction) {
+std::optional<CrackPiece> straight_on(const BodyMesh& mesh, const CrackPiece& last, const Vec2& direction) {
     if (is_at_node(last.exit)) return std::nullopt;
-    const auto& own = mesh.elements[at(last.element)];
+    const auto& own = mesh->elements[at(last.element)];
     const auto edge = at(static_cast<int>(last.exit));
     const int begins = own[edge % 4], ends = own[(edge + 1) % 4];
-    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
-        const auto& nodes = mesh.elements[at(e)];
+    for (const int e : mesh.around()[at(begins)]) {
+        const auto& nodes = mesh->elements[at(e)];
         for (std::size_t k = 0; k < nodes.size(); ++k) {
             if (nodes[k] != ends || nodes[(k + 1) % 4] != begins) continue;  // all run counter-clockwise
-            const Vec2 &from = last.points.back(), &first = mesh.nodes[at(nodes[k])];
-            const Exit exit = leaves(corners_of_element(mesh, e), from, direction);
+            const Vec2 &from = last.points.back(), &first = mesh->nodes[at(nodes[k])];
+            const Exit exit = leaves(corners_of_element(*mesh, e), from, direction);
             CrackPiece piece;
             piece.crack = last.crack;
             piece.element = e;
             piece.points = {from, exit.position};
             piece.s = {last.s.back(), last.s.back() + (exit.position - from).norm()};
             piece.entry =
-                static_cast<double>(k) + (from - first).norm() / (mesh.nodes[at(nodes[(k + 1) % 4])] - first).norm();
+                static_cast<double>(k) + (from - first).norm() / (mesh->nodes[at(nodes[(k + 1) % 4])] - first).norm();
             piece.exit = exit.place;
             return piece;
         }
@@ -150,11 +150,11 @@ std::optional<CrackPiece> straight_on(const Mesh& mesh, const CrackPiece& last, 
 }
 
 /// The front at the end of the last piece, which holds a tip.
-void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
+void end_on_edge(const BodyMesh& mesh, std::vector<CrackPiece>& pieces) {
     constexpr double rounding = 1e-6;
     CrackPiece& last = pieces.back();
     const Vec2 tip = last.points.back();
-    const std::array<Vec2, 4> corners = corners_of_element(mesh, last.element);
+    const std::array<Vec2, 4> corners = corners_of_element(*mesh, last.element);
     const Vec2 direction = heading(corners, last);
     const Exit exit = leaves(corners, tip, direction);
     const double s = last.s.back(), behind = s - last.s.front();
@@ -188,7 +188,7 @@ void turn_round(std::vector<CrackPiece>& pieces, double length) {
 
 }  // namespace
 
-CrackPath with_fronts_on_edges(const Mesh& mesh, CrackPath path) {
+CrackPath with_fronts_on_edges(const BodyMesh& mesh, CrackPath path) {
     const double length = path.length;
     const auto is_inside = [](const CrackPiece& piece, double place) {
         return place < 0.0 || (piece.neighbour >= 0 && !is_at_node(place));

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "common/crack/crack_path.hpp"
-#include "common/fem/mesh.hpp"
+#include "common/fem/body_mesh.hpp"
 
 namespace stria::coarse {
 
@@ -13,7 +13,7 @@ namespace stria::coarse {
 /// conventional elements ends at a node: to where its faces seem to end nearest to the tip, about half an element off
 /// at most. The way back where both are as near. A crack inside a single element reaches both of its edges. Arc lengths
 /// stay those from the crack's first point: a front before it has a negative one.
-[[nodiscard]] CrackPath with_fronts_on_edges(const Mesh& mesh, CrackPath path);
+[[nodiscard]] CrackPath with_fronts_on_edges(const BodyMesh& mesh, CrackPath path);
 
 /// By how much faces that open behind the end of these pieces, on an element edge, seem to end earlier, mm: by K of an
 /// elastic crack, beside one that leaves its last element across from where it came in (docs/method.md, section 2).

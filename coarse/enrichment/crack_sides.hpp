@@ -9,14 +9,14 @@
 
 #include "common/crack/crack_path.hpp"
 #include "common/crack/tip.hpp"
-#include "common/fem/mesh.hpp"
+#include "common/fem/body_mesh.hpp"
 
 namespace stria::coarse {
 
 class CrackSides {
 public:
-    /// `mesh` and `path` must outlive the sides.
-    CrackSides(const Mesh& mesh, const CrackPath& path);
+    /// `path` must outlive the sides.
+    CrackSides(BodyMesh mesh, const CrackPath& path);
 
     /// +1 or -1 for each node of an element that the crack cuts, and for each node on the crack: those count as +1.
     [[nodiscard]] const std::map<int, int>& of_nodes() const { return of_nodes_; }
@@ -38,23 +38,20 @@ public:
     void put_behind_tip(const Tip& tip, const std::map<int, int>& nodes, std::vector<signed char>& sides) const;
 
 private:
-    using Around = IndexLists;  // the elements around each node
-
     void note_piece(const CrackPiece& piece);
     void note_if_node(const CrackPiece& piece, double place);
     void note_hanging_nodes();
     [[nodiscard]] int side_in(const CrackPiece& piece, const Vec2& x) const;
     /// Of the nodes of an element, but for those on the crack: both where the crack cuts it, or ends before it.
     [[nodiscard]] std::set<int> known_sides(int element) const;
-    void put_beside_tip(const CrackPiece& piece, const Tip& tip, const Around& around,
-                        std::vector<signed char>& sides) const;
+    void put_beside_tip(const CrackPiece& piece, const Tip& tip, std::vector<signed char>& sides) const;
     [[nodiscard]] bool is_torn(int element, const Tip& tip, int side) const;
     [[nodiscard]] bool lies_across(int element, const Tip& tip, int side) const;
     [[nodiscard]] std::pair<Vec2, Vec2> neighbours_on_crack(const Vec2& x) const;
     /// Of a place beside one of the crack's points, at which it may bend.
     [[nodiscard]] int side_at(const Vec2& bend, const Vec2& x) const;
 
-    const Mesh& mesh_;
+    BodyMesh mesh_;
     const CrackPath& path_;
     std::map<int, int> of_nodes_, of_hanging_too_;
     std::set<int> on_crack_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
-#include <numeric>
 #include <set>
 #include <span>
 #include <utility>
@@ -23,17 +22,15 @@
 namespace stria::coarse {
 namespace {
 
-EnrichedMesh without_cracks(const Mesh& mesh) {
+EnrichedMesh without_cracks(const BodyMesh& mesh) {
     EnrichedMesh plain;
-    plain.nodes = mesh.nodes;
-    plain.elements = mesh.elements;
-    plain.node_ids.resize(mesh.nodes.size());
-    plain.element_ids.resize(mesh.elements.size());
-    std::iota(plain.node_ids.begin(), plain.node_ids.end(), 0);
-    std::iota(plain.element_ids.begin(), plain.element_ids.end(), 0);
-    plain.material = mesh.material;
-    plain.terms.resize(mesh.nodes.size());
-    plain.element_side.assign(mesh.elements.size(), 0);
+    plain.nodes = mesh.nodes();
+    plain.elements = mesh.elements();
+    plain.node_ids = mesh.node_ids();
+    plain.element_ids = mesh.element_ids();
+    plain.material = mesh.material();
+    plain.terms = TermsOfNodes(mesh->nodes.size());
+    plain.element_side.assign(mesh->elements.size(), 0);
     return plain;
 }
 
@@ -74,7 +71,7 @@ void require_one_crack(const EnrichedMesh& mesh, std::size_t element) {
 /// Puts the terms of one crack after the other on the nodes.
 class Enricher {
 public:
-    Enricher(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips)
+    Enricher(const BodyMesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips)
         : mesh_(mesh), cracks_(cracks), tip_enrichment_(tips), result_(without_cracks(mesh)) {
         result_.tip_exponent = tips.exponent;
         for (const CrackSection& crack : cracks) result_.grown_at_start.push_back(crack.grown_at_start);
@@ -94,8 +91,8 @@ public:
         if (paths.size() > 1 && tip_enrichment_.functions > 0 && tip_enrichment_.support == TipSupport::Gathered)
             for (const CrackPath& path : paths) wanted_.push_back(nodes_of_crack(mesh_, path));
         for (const CrackPath& path : paths) add_crack(path);
-        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) require_one_crack(result_, e);
-        result_.tied = tied_nodes(mesh_.hanging, result_, beside_);
+        for (const int e : mesh_.elements_about(result_.terms.nodes())) require_one_crack(result_, at(e));
+        result_.tied = tied_nodes(mesh_->hanging, result_, beside_);
         result_.number();
         return std::move(result_);
     }
@@ -127,7 +124,7 @@ private:
         for (const auto& [node, side] : sides.of_nodes()) {
             if (without_jump.contains(node)) continue;
             jumps = true;
-            result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
+            result_.terms.of(at(node)).push_back({Term::Kind::Heaviside, crack, 0, double(side)});
         }
         if (!jumps && tip_enrichment_.functions == 0)
             throw CaseError(
@@ -143,14 +140,14 @@ private:
         const std::map<int, int> side_of = branches(nodes, piece, sides);
         sides.put_behind_tip(tip, side_of, result_.element_side);
         for (const auto& [node, side] : side_of) {
-            const auto value = tip_functions(tip, mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
+            const auto value = tip_functions(tip, mesh_->nodes[at(node)], side, tip_enrichment_.exponent).value;
             for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha)
-                result_.terms[at(node)].push_back({kind, index, alpha, value[alpha]});
+                result_.terms.of(at(node)).push_back({kind, index, alpha, value[alpha]});
         }
     }
 
     [[nodiscard]] RoomOfDisk room_about(int index, const CrackPiece& piece) const {
-        const double size = diagonal(mesh_, piece.element);
+        const double size = diagonal(*mesh_, piece.element);
         const Tip& tip = result_.tips[at(index)];
         return {.of_others = left_to_others(mesh_, wanted_, tip),
                 .in_body = room_in_body(mesh_, cracks_, tip, bend_to_element * size),
@@ -164,19 +161,19 @@ private:
     [[nodiscard]] std::map<int, int> branches(const std::set<int>& nodes, const CrackPiece& piece,
                                               const CrackSides& sides) const {
         std::map<int, int> side_of;
-        for (const HangingNode& hanging : mesh_.hanging)  // what hangs follows
+        for (const HangingNode& hanging : mesh_->hanging)  // what hangs follows
             if (contains_any(nodes, hanging.ends)) side_of[hanging.node] = 0;
         for (const int node : nodes) side_of[node] = 0;
         const std::set<int> about_tip = tip_nodes(mesh_, piece);
         for (auto& [node, side] : side_of) {
             const auto own = sides.of_hanging_too().find(node);
-            side = own != sides.of_hanging_too().end() ? own->second : sides.of_place(mesh_.nodes[at(node)]);
+            side = own != sides.of_hanging_too().end() ? own->second : sides.of_place(mesh_->nodes[at(node)]);
             if (about_tip.contains(node)) side = sides.near_tip(piece, node);
         }
         return side_of;
     }
 
-    const Mesh& mesh_;
+    const BodyMesh& mesh_;
     const std::vector<CrackSection>& cracks_;
     TipEnrichment tip_enrichment_;
     EnrichedMesh result_;
@@ -186,7 +183,7 @@ private:
 
 }  // namespace
 
-EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips) {
+EnrichedMesh enrich(const BodyMesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips) {
     return Enricher(mesh, cracks, tips).enrich();
 }
 

@@ -16,8 +16,8 @@ bool is_nearly_at(const EnrichedMesh& mesh, const Tip& tip, const Tip& old) {
 }  // namespace
 
 EnrichedMesh with_functions_left(EnrichedMesh mesh, const EnrichedMesh& before) {
-    for (std::size_t node = 0; node < before.nodes.size(); ++node) {
-        for (Term term : before.terms[node]) {
+    for (const int node : before.terms.nodes()) {
+        for (Term term : before.terms[at(node)]) {
             if (term.kind != Term::Kind::Tip && term.kind != Term::Kind::Left) continue;
             const Tip& tip = before.tip_of(term);
             const auto same = [&](const Tip& other) { return same_place(tip, other); };
@@ -28,7 +28,7 @@ EnrichedMesh with_functions_left(EnrichedMesh mesh, const EnrichedMesh& before) 
             if (left == mesh.left_tips.end()) left = mesh.left_tips.insert(left, tip);
             term.kind = Term::Kind::Left;
             term.owner = static_cast<int>(left - mesh.left_tips.begin());
-            mesh.terms[node].push_back(term);
+            mesh.terms.of(at(node)).push_back(term);
         }
     }
     mesh.number();

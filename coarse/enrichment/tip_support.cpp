@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
@@ -18,10 +19,18 @@ namespace {
 /// In diagonals: to the elements ahead of a tip on an edge, and behind it.
 constexpr double least_radius = 1.15;
 
+/// The corners of the elements about some nodes.
+std::vector<std::array<int, 4>> about(const BodyMesh& mesh, const std::set<int>& nodes) {
+    std::vector<std::array<int, 4>> corners;
+    for (const int element : mesh.elements_about(std::vector<int>(nodes.begin(), nodes.end())))
+        corners.push_back(mesh->elements[at(element)]);
+    return corners;
+}
+
 /// Adds the corners of all elements that share one with some of the nodes.
-void add_elements_about(const Mesh& mesh, std::set<int>& nodes) {
+void add_elements_about(const BodyMesh& mesh, std::set<int>& nodes) {
     const std::set<int> within = nodes;
-    for (const std::array<int, 4>& corners : mesh.elements)
+    for (const std::array<int, 4>& corners : about(mesh, within))
         if (contains_any(within, corners)) nodes.insert(corners.begin(), corners.end());
     add_ends_of_edges(mesh, nodes);
 }
@@ -36,17 +45,17 @@ std::set<int> with_what_hangs(const Mesh& mesh, std::set<int> nodes) {
 }
 
 /// Whether an element has nodes of both.
-bool meet(const Mesh& mesh, const std::set<int>& nodes, const std::set<int>& others) {
+bool meet(const BodyMesh& mesh, const std::set<int>& nodes, const std::set<int>& others) {
     const std::set<int> seen = with_what_hangs(mesh, nodes);
-    return std::ranges::any_of(mesh.elements, [&](const std::array<int, 4>& corners) {
+    return std::ranges::any_of(about(mesh, seen), [&](const std::array<int, 4>& corners) {
         return contains_any(seen, corners) && contains_any(others, corners);
     });
 }
 
 /// What shares functions hangs on no edge: with these a small element would differ from its larger neighbour there.
-TipNodes shared_where_nothing_hangs(const Mesh& mesh, TipNodes about) {
+TipNodes shared_where_nothing_hangs(const BodyMesh& mesh, TipNodes about) {
     std::set<int> hanging;
-    for (const HangingNode& h : mesh.hanging) hanging.insert(h.node);
+    for (const HangingNode& h : mesh->hanging) hanging.insert(h.node);
     about.share = about.share && !meet(mesh, about.nodes, hanging);
     return about;
 }
@@ -58,10 +67,10 @@ double distance_to_rim(const Mesh& mesh, const Vec2& place, const std::set<int>&
 }
 
 /// Those that no element sees together with what other cracks have, and the tip's own.
-TipNodes clear_of_others(const Mesh& mesh, const std::set<int>& nodes, const TipNodes& own,
+TipNodes clear_of_others(const BodyMesh& mesh, const std::set<int>& nodes, const TipNodes& own,
                          const std::set<int>& others) {
     std::set<int> beside;
-    for (const std::array<int, 4>& corners : mesh.elements)
+    for (const std::array<int, 4>& corners : about(mesh, others))
         if (contains_any(others, corners)) beside.insert(corners.begin(), corners.end());
     add_ends_of_edges(mesh, beside);
     TipNodes clear{own.nodes, false};
@@ -85,10 +94,10 @@ void add_ends_of_edges(const Mesh& mesh, std::set<int>& nodes) {
         if (nodes.contains(hanging.node)) nodes.insert(hanging.ends.begin(), hanging.ends.end());
 }
 
-void add_disk(const Mesh& mesh, const Vec2& place, double radius, std::set<int>& nodes) {
-    for (int element = 0; element < std::ssize(mesh.elements); ++element) {
-        if ((centre(mesh, element) - place).norm() > radius) continue;
-        nodes.insert(mesh.elements[at(element)].begin(), mesh.elements[at(element)].end());
+void add_disk(const BodyMesh& mesh, const Vec2& place, double radius, std::set<int>& nodes) {
+    for (const int element : mesh.elements_near(place, radius)) {
+        if ((centre(*mesh, element) - place).norm() > radius) continue;
+        nodes.insert(mesh->elements[at(element)].begin(), mesh->elements[at(element)].end());
     }
     add_ends_of_edges(mesh, nodes);
 }
@@ -108,13 +117,13 @@ double disk_radius(const TipEnrichment& enrichment, const Tip& tip, const RoomOf
                     *enrichment.radius, tip.position.x(), tip.position.y(), reach));
 }
 
-NodesOfCrack nodes_of_crack(const Mesh& mesh, const CrackPath& path) {
+NodesOfCrack nodes_of_crack(const BodyMesh& mesh, const CrackPath& path) {
     NodesOfCrack result;
     for (const CrackPiece& piece : path.pieces) result.beside.merge(tip_nodes(mesh, piece));
     const auto add = [&](const CrackPiece& piece, const Vec2& tip) {
         std::set<int> nodes = tip_nodes(mesh, piece);
         add_elements_about(mesh, nodes);
-        add_disk(mesh, tip, least_radius * diagonal(mesh, piece.element), nodes);
+        add_disk(mesh, tip, least_radius * diagonal(*mesh, piece.element), nodes);
         result.about.push_back({tip, std::move(nodes)});
     };
     if (path.tip_at_start) add(path.pieces.front(), path.pieces.front().points.front());
@@ -138,7 +147,7 @@ std::set<int> left_to_others(const Mesh& mesh, const std::vector<NodesOfCrack>& 
 // Functions that all nodes share want all elements about the tip's: where others took some of them K was up to 14 %
 // off, and functions of each node of the tip's element leave 1 %. So where another crack takes some of these elements
 // each node of the others has functions of its own. Disks may see functions of the crack's other tip.
-TipNodes support_of_tip(const Mesh& mesh, const TipEnrichment& enrichment, const Tip& tip, const CrackPiece& piece,
+TipNodes support_of_tip(const BodyMesh& mesh, const TipEnrichment& enrichment, const Tip& tip, const CrackPiece& piece,
                         const RoomOfDisk& room) {
     TipNodes own{tip_nodes(mesh, piece), false};
     if (enrichment.support == TipSupport::Topological) return own;

@@ -8,7 +8,7 @@
 #include "common/crack/crack_path.hpp"
 #include "common/crack/crack_piece.hpp"
 #include "common/crack/tip.hpp"
-#include "common/fem/mesh.hpp"
+#include "common/fem/body_mesh.hpp"
 
 namespace stria::coarse {
 
@@ -21,7 +21,7 @@ void add_ends_of_edges(const Mesh& mesh, std::set<int>& nodes);
 
 /// Adds those of all elements whose centre lies within a radius (mm) of a place: whole elements, for there the
 /// functions are complete.
-void add_disk(const Mesh& mesh, const Vec2& place, double radius, std::set<int>& nodes);
+void add_disk(const BodyMesh& mesh, const Vec2& place, double radius, std::set<int>& nodes);
 
 /// What functions a crack wants on its way, for others to keep off: an element sees those of one crack.
 struct NodesOfCrack {
@@ -32,7 +32,7 @@ struct NodesOfCrack {
     std::set<int> beside;         // of the elements that the crack runs through
     std::vector<AboutTip> about;  // of all elements about those of its tips
 };
-[[nodiscard]] NodesOfCrack nodes_of_crack(const Mesh& mesh, const CrackPath& path);
+[[nodiscard]] NodesOfCrack nodes_of_crack(const BodyMesh& mesh, const CrackPath& path);
 
 /// Of what other cracks want: what a tip leaves to them. About their tips that is what is nearer to these.
 [[nodiscard]] std::set<int> left_to_others(const Mesh& mesh, const std::vector<NodesOfCrack>& cracks, const Tip& tip);
@@ -55,7 +55,7 @@ struct TipNodes {
     std::set<int> nodes;
     bool share;  // all have one pair of unknowns a function: TipSupport::Gathered, where a disk has room
 };
-[[nodiscard]] TipNodes support_of_tip(const Mesh& mesh, const TipEnrichment& enrichment, const Tip& tip,
+[[nodiscard]] TipNodes support_of_tip(const BodyMesh& mesh, const TipEnrichment& enrichment, const Tip& tip,
                                       const CrackPiece& piece, const RoomOfDisk& room);
 
 }  // namespace stria::coarse

@@ -69,7 +69,7 @@ std::vector<HandbookLine> compare_with_handbook(const NominalSolution& nominal) 
     const double K = specimen.handbook_K(width, a, load);
     lines.push_back({"K_I at the load factor 1", "MPa sqrt(mm)", K, tips.front().K_I});
     lines.push_back({"J at the load factor 1", "N/mm", K * K / modulus, tips.front().J});
-    if (scene.mesh.load_line) {
+    if (scene.mesh->load_line) {
         const double per_load = modulus / load;
         lines.push_back({"compliance E' B v / P on the load line", "", ct_load_line_compliance(a / width),
                          per_load * opening_at(scene, 0.0, nominal.fields.unit)});

@@ -16,11 +16,10 @@ std::vector<AppliedForce> forces_that_read(const std::vector<NodalWeight>& mean,
 
 /// Those of nodal displacements. What a jump adds between the nodes beside a mouth is a zone's own, and no equilibrium
 /// but that of one matrix could weigh it.
-Eigen::VectorXd without_jumps(const EnrichedMesh& enriched, const Eigen::VectorXd& weights) {
-    Eigen::VectorXd nodal = Eigen::VectorXd::Zero(weights.size());
-    for (const auto& [node, term, unknown] : enriched.own_unknowns())
-        if (term == 0) nodal.segment<2>(unknown) = weights.segment<2>(unknown);
-    return nodal;
+Eigen::VectorXd without_jumps(const EnrichedMesh& enriched, Eigen::VectorXd weights) {
+    for (Eigen::Index unknown = 0; unknown < weights.size(); ++unknown)
+        if (weights[unknown] != 0.0 && !enriched.is_standard(static_cast<int>(unknown))) weights[unknown] = 0.0;
+    return weights;
 }
 
 }  // namespace

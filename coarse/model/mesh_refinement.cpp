@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <map>
+#include <set>
 
 #include "common/fem/centre.hpp"
 #include "common/geometry/segment.hpp"
@@ -21,7 +23,7 @@ Edge edge_of(const Mesh& mesh, int element, int k) {
 }
 
 bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
-    if (mesh.level[at(element)] >= disk.levels) return false;
+    if (mesh.level_of(element) >= disk.levels) return false;
     const auto& nodes = mesh.elements[at(element)];
     const double to_centre = distance_to_segment(centre(mesh, element), disk.from, disk.to);
     const double distance = std::max(0.0, to_centre - diagonal(mesh, element) / 2.0);
@@ -32,54 +34,66 @@ bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
     return longest > disk.growth * distance;
 }
 
-/// Of each element the larger ones that share a corner with it. One that has never been split has none.
-std::vector<std::vector<int>> larger_neighbours(const Mesh& mesh) {
-    std::vector<std::vector<int>> larger(mesh.elements.size());
-    if (std::ranges::find_if(mesh.level, [](int level) { return level > 0; }) == mesh.level.end()) return larger;
-    const IndexLists around = elements_around_nodes(mesh);
-    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
-        if (mesh.level[at(e)] == 0) continue;
-        for (const int node : mesh.elements[at(e)]) {
-            for (const int other : around[at(node)])
-                if (mesh.level[at(other)] < mesh.level[at(e)]) larger[at(e)].push_back(other);
+/// All elements that the disks may ask for: an element is as far off as half of its diagonal about its centre.
+std::vector<int> elements_near(const BodyMesh& mesh, const std::vector<RefinedDisk>& disks) {
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const RefinedDisk& disk : disks) {
+        const Vec2 reach = Vec2::Constant(disk.radius + mesh.longest_edge());
+        boxes.emplace_back(disk.from.cwiseMin(disk.to) - reach, disk.from.cwiseMax(disk.to) + reach);
+    }
+    return mesh.elements_near(boxes);
+}
+
+/// What disks ask of elements, and what lets these be split. All must outlive it.
+class Choice {
+public:
+    Choice(const Mesh& mesh, const IndexLists& around, const std::vector<RefinedDisk>& disks, const ElementSet& never)
+        : mesh_(mesh), around_(around), disks_(disks), never_(never) {}
+
+    [[nodiscard]] bool asks_for(int element) const {
+        return std::ranges::any_of(disks_, [&](const auto& disk) { return is_too_large(mesh_, element, disk); }) &&
+               !stays_whole(element);
+    }
+
+    /// Some of the candidates, and larger elements that touch any of these; of those only the ones that may be split at
+    /// once.
+    [[nodiscard]] std::vector<int> now(const std::vector<int>& candidates) const {
+        std::set<int> asked, now;
+        std::vector<int> waiting;
+        std::ranges::copy_if(candidates, std::back_inserter(waiting), [&](int e) { return asks_for(e); });
+        while (!waiting.empty()) {
+            const int e = waiting.back();
+            waiting.pop_back();
+            if (!asked.insert(e).second) continue;
+            const std::vector<int> larger = larger_neighbours(e);
+            if (larger.empty()) now.insert(e);
+            waiting.insert(waiting.end(), larger.begin(), larger.end());
         }
+        return {now.begin(), now.end()};
     }
-    return larger;
-}
 
-/// Those that stay whole, and those that a larger neighbour which stays whole does not let be split.
-ElementSet held_whole(const Mesh& mesh, const std::vector<std::vector<int>>& larger, ElementSet never) {
-    never.widen(mesh.elements.size());
-    if (never.none()) return never;
-    std::vector<int> by_size;
-    for (int e = 0; e < std::ssize(mesh.elements); ++e)
-        if (!larger[at(e)].empty()) by_size.push_back(e);
-    std::ranges::stable_sort(by_size, {}, [&](int e) { return mesh.level[at(e)]; });
-    for (const int e : by_size)
-        if (contains_any(never, larger[at(e)])) never.insert(e);
-    return never;
-}
+private:
+    /// It is to, or a larger neighbour that stays whole does not let it be split.
+    [[nodiscard]] bool stays_whole(int element) const {
+        return never_.holds(element) ||
+               std::ranges::any_of(larger_neighbours(element), [&](int larger) { return stays_whole(larger); });
+    }
 
-/// What the disks ask for, and larger elements that touch any of it; of those only the ones that may be split at once.
-ElementSet elements_to_split(const Mesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never) {
-    const auto larger = larger_neighbours(mesh);
-    const ElementSet whole = held_whole(mesh, larger, never);
-    ElementSet asked(mesh.elements.size()), now = asked;
-    std::vector<int> waiting;
-    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
-        const auto asks = [&](const RefinedDisk& disk) { return is_too_large(mesh, e, disk); };
-        if (!whole.contains(e) && std::ranges::any_of(disks, asks)) waiting.push_back(e);
+    /// That share a corner. One that has never been split has none.
+    [[nodiscard]] std::vector<int> larger_neighbours(int element) const {
+        std::vector<int> larger;
+        if (mesh_.level_of(element) == 0) return larger;
+        for (const int node : mesh_.elements[at(element)])
+            for (const int other : around_[at(node)])
+                if (mesh_.level_of(other) < mesh_.level_of(element)) larger.push_back(other);
+        return larger;
     }
-    while (!waiting.empty()) {
-        const int e = waiting.back();
-        waiting.pop_back();
-        if (asked.contains(e)) continue;
-        asked.insert(e);
-        if (larger[at(e)].empty()) now.insert(e);
-        waiting.insert(waiting.end(), larger[at(e)].begin(), larger[at(e)].end());
-    }
-    return now;
-}
+
+    const Mesh& mesh_;
+    const IndexLists& around_;
+    const std::vector<RefinedDisk>& disks_;
+    const ElementSet& never_;
+};
 
 Mesh with_levels(Mesh mesh) {
     mesh.level.resize(mesh.elements.size(), 0);
@@ -184,25 +198,32 @@ private:
 
 }  // namespace
 
-RefinedMesh refine(Mesh mesh, const std::vector<RefinedDisk>& disks, ElementSet never) {
-    Splitter splitter(std::move(mesh));
+// What no disk reaches asks for nothing, and neither do its parts.
+RefinedMesh refine(const BodyMesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never) {
+    Splitter splitter(*mesh);
     RefinedMesh refined;
     refined.part_of.assign(splitter.mesh().elements.size(), -1);
+    std::vector<int> candidates = elements_near(mesh, disks);
+    IndexLists around = mesh.around();
     while (true) {
-        const std::vector<int> chosen = elements_to_split(splitter.mesh(), disks, never).members();
+        const std::vector<int> chosen = Choice(splitter.mesh(), around, disks, never).now(candidates);
         if (chosen.empty()) break;
         for (const int e : chosen)
             if (refined.part_of[at(e)] < 0) refined.part_of[at(e)] = e;
-        for (const int e : splitter.split(chosen)) refined.part_of.push_back(refined.part_of[at(e)]);
+        for (const int e : splitter.split(chosen)) {
+            candidates.push_back(static_cast<int>(refined.part_of.size()));
+            refined.part_of.push_back(refined.part_of[at(e)]);
+        }
         refined.splits.push_back(chosen);
+        around = elements_around_nodes(splitter.mesh());
     }
     refined.mesh = splitter.take();
     return refined;
 }
 
-bool asks_for_more(const Mesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never) {
-    if (mesh.level.empty()) return !elements_to_split(with_levels(mesh), disks, never).none();
-    return !elements_to_split(mesh, disks, never).none();
+bool asks_for_more(const BodyMesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never) {
+    const Choice choice(*mesh, mesh.around(), disks, never);
+    return std::ranges::any_of(elements_near(mesh, disks), [&](int e) { return choice.asks_for(e); });
 }
 
 Mesh split_again(Mesh mesh, const MeshSplits& splits) {

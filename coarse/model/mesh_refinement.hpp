@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/fem/mesh.hpp"
+#include "common/fem/body_mesh.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index_set.hpp"
 
@@ -32,10 +32,10 @@ struct RefinedMesh {
 /// level at most: the ends of an edge with a hanging node never hang themselves. Nodes and elements keep their numbers;
 /// the part at an element's first corner takes its number, the other three come last. Boundary edges and inserts
 /// follow. `never`: elements that stay whole, and with them what would need them split (none: empty).
-RefinedMesh refine(Mesh mesh, const std::vector<RefinedDisk>& disks, ElementSet never = {});
+RefinedMesh refine(const BodyMesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never = {});
 
 /// Whether refine() would split anything.
-bool asks_for_more(const Mesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never);
+bool asks_for_more(const BodyMesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never);
 
 /// The mesh that came of the same splits before.
 Mesh split_again(Mesh mesh, const MeshSplits& splits);

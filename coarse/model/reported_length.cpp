@@ -13,7 +13,7 @@
 namespace stria::coarse {
 
 double reported_length(const Scene& scene, const Tip& tip) {
-    if (scene.mesh.load_line) return tip.position.x() - *scene.mesh.load_line;
+    if (scene.mesh->load_line) return tip.position.x() - *scene.mesh->load_line;
     const auto tips = std::ranges::count(scene.enriched.tips, tip.crack, &Tip::crack);
     return length_in_body(scene.enriched, tip.crack) / static_cast<double>(tips);
 }

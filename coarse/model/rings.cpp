@@ -8,6 +8,7 @@
 
 #include "coarse/enrichment/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -45,42 +46,21 @@ bool flows_far(const Scene& scene) { return scene.materials.may_yield() && scene
 /// An elastic body whose cracks neither grow nor touch pays once, and its K converges with the mesh.
 bool is_solved_once(const Scene& scene) { return !scene.input.growth && !needs_fine(scene.input); }
 
-/// The longest edge of a mesh, or any that is as long as `enough`, mm.
-double long_edge(const Mesh& mesh, double enough) {
-    double squared = 0.0;
-    for (const std::array<int, 4>& element : mesh.elements) {
-        for (std::size_t k = 0; k < 4; ++k)
-            squared =
-                std::max(squared, (mesh.nodes[at(element[k])] - mesh.nodes[at(element[(k + 1) % 4])]).squaredNorm());
-        if (squared >= enough * enough) break;
-    }
-    return std::sqrt(squared);
-}
-
 /// Longest element edge with an end inside each ring, mm; zero where there is none.
-std::vector<double> longest_edges(const EnrichedMesh& mesh, const Tip& tip, std::span<const Annulus> rings) {
-    const double farthest = std::ranges::max(rings, {}, &Annulus::outer).outer;
-    constexpr double outside = std::numeric_limits<double>::infinity(), margin = 1.001;
-    std::vector<double> distance;
-    distance.reserve(mesh.nodes.size());
-    for (const Vec2& x : mesh.nodes) {
-        const double squared = (x - tip.position).squaredNorm();
-        distance.push_back(squared < margin * farthest * farthest ? std::sqrt(squared) : outside);
-    }
+std::vector<double> longest_edges(const BodyMesh& mesh, const Tip& tip, std::span<const Annulus> rings) {
+    const Vec2 farthest = Vec2::Constant(std::ranges::max(rings, {}, &Annulus::outer).outer);
     std::vector<double> longest(rings.size(), 0.0);
-    const auto is_outside = [&](int node) { return distance[at(node)] == outside; };
-    for (const std::array<int, 4>& element : mesh.elements) {
-        if (std::ranges::all_of(element, is_outside)) continue;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int a = element[k], b = element[(k + 1) % 4];
-            if (is_outside(a) && is_outside(b)) continue;
-            const double length = (mesh.nodes[at(b)] - mesh.nodes[at(a)]).norm();
-            for (std::size_t ring = 0; ring < rings.size(); ++ring) {
-                const auto inside = [&](double r) { return r > rings[ring].inner && r < rings[ring].outer; };
-                if (inside(distance[at(a)]) || inside(distance[at(b)])) longest[ring] = std::max(longest[ring], length);
-            }
+    mesh.visit_near({tip.position - farthest, tip.position + farthest}, [&](int element) {
+        const std::array<Vec2, 4> corners = corners_of_element(*mesh, element);
+        std::array<double, 4> distance{};
+        for (std::size_t k = 0; k < 4; ++k) distance[k] = (corners[k] - tip.position).norm();
+        for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+            const auto inside = [&](double r) { return r > rings[ring].inner && r < rings[ring].outer; };
+            for (std::size_t k = 0; k < 4; ++k)
+                if (inside(distance[k]) || inside(distance[(k + 1) % 4]))
+                    longest[ring] = std::max(longest[ring], (corners[(k + 1) % 4] - corners[k]).norm());
         }
-    }
+    });
     return longest;
 }
 
@@ -120,9 +100,8 @@ double largest_ring(const Scene& scene, int tip_index) {
     const Tip& tip = mesh.tips[at(tip_index)];
     const RoomForRings room = room_for_rings(scene, tip_index);
     const double free = std::min({room.boundary, room.bends_and_forces, room.other_end, room.other_cracks});
-    const double radius = flows_far(scene) || is_solved_once(scene)
-                              ? free
-                              : std::min(free, most_across * long_edge(scene.mesh, free / most_across));
+    const double radius =
+        flows_far(scene) || is_solved_once(scene) ? free : std::min(free, most_across * scene.mesh.longest_edge());
     const double of_one_metal = largest_ring_of_one_metal(scene, tip_index);
     return of_one_metal < least_for_T * tip_element_edge(mesh, tip) ? radius : std::min(radius, of_one_metal);
 }
@@ -133,7 +112,7 @@ std::vector<Annulus> rings_about(const Scene& scene, int tip) {
     const double of_one_metal = largest_ring_of_one_metal(scene, tip);
     const bool one_metal = radius <= of_one_metal;
     for (Annulus& ring : all) ring = {ring.inner * radius, ring.outer * radius, one_metal};
-    const std::vector<double> sizes = longest_edges(scene.enriched, scene.enriched.tips[at(tip)], all);
+    const std::vector<double> sizes = longest_edges(scene.mesh, scene.enriched.tips[at(tip)], all);
     std::vector<Annulus> rings;
     if (!one_metal && tells_J(scene, tip)) rings.push_back({family[0].inner * of_one_metal, of_one_metal});
     const std::size_t first = rings.size();

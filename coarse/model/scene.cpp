@@ -62,20 +62,28 @@ std::shared_ptr<const EnrichedMesh> functions_of_nominal(const Scene& scene) {
     }
 }
 
+BodyMesh with_materials(BodyMesh mesh, const std::vector<RegionSection>& regions) {
+    if (!mesh->material.empty()) return mesh;
+    std::vector<int> material = materials_of_elements(mesh, regions);
+    if (material.empty()) return mesh;
+    Mesh known = *mesh;
+    known.material = std::move(material);
+    return known;
+}
+
 }  // namespace
 
 MeanDilatation Scene::mean_dilatation(int element) const {
     if (is_nominal && sees_tip_functions(enriched, element)) return MeanDilatation::Nowhere;
-    const int material = mesh.material_of(element);
+    const int material = mesh->material_of(element);
     return stria::mean_dilatation(materials.section(material), materials.elastic(material));
 }
 
-Scene make_scene(const Case& input, Mesh mesh, int refined) {
+Scene make_scene(const Case& input, BodyMesh mesh, int refined) {
     Scene scene;
     scene.input = input;
     scene.materials = Materials(input);
-    scene.mesh = std::move(mesh);
-    if (scene.mesh.material.empty()) scene.mesh.material = materials_of_elements(scene.mesh, input.regions);
+    scene.mesh = with_materials(std::move(mesh), input.regions);
     if (input.initial_stress) check_initial_stress(*input.initial_stress, scene.mesh);
     require_near(scene.mesh, input.cracks);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));

@@ -10,6 +10,7 @@
 #include "coarse/model/supports_on_unknowns.hpp"
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
+#include "common/fem/body_mesh.hpp"
 #include "common/index_set.hpp"
 #include "common/integration/element_operator.hpp"
 #include "common/material/materials.hpp"
@@ -18,7 +19,7 @@ namespace stria::coarse {
 
 struct Scene {
     Case input;
-    Mesh mesh;
+    BodyMesh mesh;
     Materials materials;
     LoadsOfCase loads;
     FreeMotions free_motions;
@@ -39,19 +40,19 @@ struct Scene {
     Eigen::VectorXd pull;               // likewise: weights_of_reactions()
 
     /// The material of an element, or at a tip.
-    [[nodiscard]] const Elasticity& elastic(int element) const { return materials.elastic(mesh.material_of(element)); }
+    [[nodiscard]] const Elasticity& elastic(int element) const { return materials.elastic(mesh->material_of(element)); }
     [[nodiscard]] const Elasticity& elastic(const Tip& tip) const { return materials.elastic(tip.material); }
     [[nodiscard]] const MandelMatrix& stiffness(int element) const {
-        return materials.stiffness(mesh.material_of(element));
+        return materials.stiffness(mesh->material_of(element));
     }
     [[nodiscard]] const InitialStress& initial_stress() const { return materials.initial_stress(); }
     /// In an element, MPa.
     [[nodiscard]] Mandel initial_stress(int element, const Vec2& x) const {
-        return initial_stress().at(x, mesh.material_of(element));
+        return initial_stress().at(x, mesh->material_of(element));
     }
     /// What of its stress counts against the weakest yield stress (materials.hpp): nothing in the insert of a pin.
     [[nodiscard]] double stress_weight(int element) const {
-        return mesh.in_insert(element) ? 0.0 : materials.stress_weight(mesh.material_of(element));
+        return mesh->in_insert(element) ? 0.0 : materials.stress_weight(mesh->material_of(element));
     }
     /// At each tip, MPa; infinite where it never yields.
     [[nodiscard]] std::vector<double> yield_stress_at_tips() const {
@@ -65,7 +66,7 @@ struct Scene {
 
 /// Enriches and resolves a case on a mesh. Throws CaseError. `refined`: tips need room there (require_room); 0: they
 /// have been looked at. That is asked before loads are resolved, of which there may be very many.
-Scene make_scene(const Case& input, Mesh mesh, int refined = 0);
+Scene make_scene(const Case& input, BodyMesh mesh, int refined = 0);
 
 /// The same scene, with the tip functions of `before` kept as unknowns where the tip has moved on (growth.retain), but
 /// for those of a tip that is nearly where it was.

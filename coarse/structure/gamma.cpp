@@ -10,17 +10,19 @@ namespace stria::coarse {
 
 namespace {
 
-/// Nodes whose unknowns elements of the zone see, and all that see more than their own standard ones: elements without
-/// such a node share nothing with the zone.
-NodeSet nodes_that_may_share(const EnrichedMesh& mesh, const ElementSet& in_zone) {
+/// Elements with nodes whose unknowns elements of the zone see, or with nodes that have more than their own standard
+/// ones: others share nothing with the zone.
+ElementSet elements_that_may_share(const BodyMesh& body, const EnrichedMesh& mesh, const ElementSet& in_zone) {
     NodeSet nodes(mesh.nodes.size());
-    for (int node = 0; node < nodes.size(); ++node)
-        if (!mesh.terms[at(node)].empty()) nodes.insert(node);
+    for (const int node : mesh.terms.nodes()) nodes.insert(node);
     for (const int e : in_zone.members())
         for (const int node : mesh.elements[at(e)]) nodes.insert(node);
     for (const TiedNode& tie : mesh.tied)
         for (const int node : {tie.node, tie.ends[0], tie.ends[1]}) nodes.insert(node);
-    return nodes;
+    ElementSet elements(in_zone.size());
+    for (const int node : nodes.members())
+        for (const int e : body.around()[at(node)]) elements.insert(e);
+    return elements;
 }
 
 }  // namespace
@@ -39,15 +41,15 @@ std::vector<int> gamma_of(const Scene& scene, const ElementSet& in_zone) {
     };
     for (int i = 0; i < mesh.unknowns && !moves; ++i) moves = scene.observed.contains(i) && !prescribed.contains(i);
     const std::vector<int> piece = piece_of_elements(mesh);
-    const NodeSet may_share = nodes_that_may_share(mesh, in_zone);
-    for (int e = 0; e < in_zone.size(); ++e) {
-        if (moves && !contains_any(may_share, mesh.elements[at(e)])) continue;
+    const auto look_at = [&](int e) {
         UnknownSet& side = in_zone.contains(e) ? fine : coarse;
         if (is_plain(mesh, e) && piece[at(e)] < 0)
             mark(plain_unknowns(mesh, e), side);
         else
             mark(ElementBasis(mesh, e, piece[at(e)] >= 0).unknowns(), side);
-    }
+    };
+    for (int e = 0; e < in_zone.size() && !moves; ++e) look_at(e);
+    for (const int e : elements_that_may_share(scene.mesh, mesh, in_zone).members()) look_at(e);
     UnknownSet of_zone = fine;
     for (const PrescribedUnknown& p : scene.prescribed) {
         of_zone.erase(p.unknown);

@@ -36,7 +36,7 @@ public:
         : Structure(scene, in_zone, {.far = far_elements(scene, in_zone), .middle = {}}) {}
 
     /// Of a body without a zone.
-    explicit Structure(const Scene& scene) : Structure(scene, ElementSet(scene.mesh.elements.size())) {}
+    explicit Structure(const Scene& scene) : Structure(scene, ElementSet(scene.mesh->elements.size())) {}
 
     [[nodiscard]] const Scene& scene() const { return elements_.scene(); }
     [[nodiscard]] const CoarseElements& elements() const { return elements_; }

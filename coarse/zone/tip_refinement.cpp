@@ -21,7 +21,7 @@ int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<uns
 
 /// How often it has been.
 int level_at(const Scene& scene, const Tip& tip) {
-    return scene.mesh.level.empty() ? 0 : scene.mesh.level[at(piece_of(scene.enriched.pieces, tip)->element)];
+    return scene.mesh->level.empty() ? 0 : scene.mesh->level[at(piece_of(scene.enriched.pieces, tip)->element)];
 }
 
 /// How far small elements lie ahead of a tip that grows, mm: as far as metal flows, because it is never split again.
@@ -57,7 +57,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
 
 ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K, const ElementSet& whole) {
     constexpr int steps = 10;
-    ElementSet soon(scene.mesh.elements.size());
+    ElementSet soon(scene.mesh->elements.size());
     if (scene.input.fine.refine == 1 || !scene.input.growth) return soon;
     std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K, Room::ToGrow);
     for (std::size_t t = 0; t < disks.size(); ++t) {
@@ -86,10 +86,10 @@ std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<
     if (tips.empty()) return {};
     std::vector<std::vector<coupling::FlowShell>> flow(tips.size());
     const auto add = [&](int e, bool now) {
-        const Vec2 place = centre(scene.mesh, e);
+        const Vec2 place = centre(*scene.mesh, e);
         const auto distance = [&](const Tip& tip) { return (tip.position - place).norm(); };
         const auto own = std::ranges::min_element(tips, {}, distance);
-        flow[at(own - tips.begin())].push_back(coupling::shell_of(scene.mesh.elements[at(e)], scene.mesh.nodes,
+        flow[at(own - tips.begin())].push_back(coupling::shell_of(scene.mesh->elements[at(e)], scene.mesh->nodes,
                                                                   own->position, now ? distance(*own) : 0.0));
     };
     for (const int e : flowing) add(e, true);
@@ -107,9 +107,8 @@ std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<
 ElementSet elements_with_more_than_jumps(const Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
     ElementSet found(mesh.elements.size());
-    const auto is_of_tip = [](const Term& term) { return term.kind != Term::Kind::Heaviside; };
-    const auto sees_tip = [&](int node) { return std::ranges::any_of(mesh.terms[at(node)], is_of_tip); };
-    for (int e = 0; e < found.size(); ++e)
+    const auto sees_tip = [&](int node) { return mesh.has_tip_functions(node); };
+    for (const int e : scene.mesh.elements_about(mesh.terms.nodes()))
         if (std::ranges::any_of(mesh.elements[at(e)], sees_tip)) found.insert(e);
     for (const Tip& tip : mesh.tips) found.insert(piece_of(mesh.pieces, tip)->element);
     add_touching_faces(scene, found);

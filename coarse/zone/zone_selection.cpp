@@ -17,12 +17,20 @@
 namespace stria::coarse {
 namespace {
 
-NodeSet nodes_with_functions_of(const EnrichedMesh& mesh, int tip) {
-    NodeSet nodes(mesh.nodes.size());
-    const auto is_of_tip = [&](const Term& term) { return term.kind == Term::Kind::Tip && term.owner == tip; };
-    for (int node = 0; node < nodes.size(); ++node)
-        if (std::ranges::any_of(mesh.terms[at(node)], is_of_tip)) nodes.insert(node);
+/// Nodes of a mesh with terms of some kind.
+template <class IsWanted> std::vector<int> nodes_with(const EnrichedMesh& mesh, const IsWanted& is_wanted) {
+    std::vector<int> nodes;
+    for (const int node : mesh.terms.nodes())
+        if (std::ranges::any_of(mesh.terms[at(node)], is_wanted)) nodes.push_back(node);
     return nodes;
+}
+
+/// Calls visit(element) for those that have some of the nodes as corners.
+template <class Visit> void for_each_about(const BodyMesh& mesh, const std::vector<int>& nodes, const Visit& visit) {
+    for (const int node : nodes)
+        for (const int element : mesh.around()[at(node)])
+            if (std::ranges::find(mesh->elements[at(element)], node) != mesh->elements[at(element)].end())
+                visit(element);
 }
 
 /// Unknowns of tip functions are the zone's own, however small the disk (full compression: none). A K that no ring
@@ -31,14 +39,15 @@ void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips[at(t)];
     if (!(radius > 0.0) && !may_touch(scene.input.cracks[at(tip.crack)]) && !scene.materials.may_yield()) return;
-    const NodeSet nodes = nodes_with_functions_of(mesh, t);
-    const auto carries_function = [&](int node) { return nodes.contains(node); };
-    for (int e = 0; e < zone.size(); ++e) {
-        if (scene.mesh.in_insert(e)) continue;
-        if (std::ranges::any_of(mesh.elements[at(e)], carries_function) ||
-            (centre(mesh, e) - tip.position).norm() <= radius)
-            zone.insert(e);
-    }
+    const auto is_of_tip = [&](const Term& term) { return term.kind == Term::Kind::Tip && term.owner == t; };
+    for_each_about(scene.mesh, nodes_with(mesh, is_of_tip), [&](int e) {
+        if (!scene.mesh->in_insert(e)) zone.insert(e);
+    });
+    if (!(radius >= 0.0)) return;
+    const Vec2 reach = Vec2::Constant(radius);
+    scene.mesh.visit_near({tip.position - reach, tip.position + reach}, [&](int e) {
+        if ((centre(mesh, e) - tip.position).norm() <= radius && !scene.mesh->in_insert(e)) zone.insert(e);
+    });
 }
 
 /// The force ahead of a tip is that of the zone's points: out to the distance, and no less than an element.
@@ -53,7 +62,8 @@ void add_sectors_ahead(const Scene& scene, std::vector<double> radii, ElementSet
         double reach = 0.0;
         for (const int node : corners) reach = std::max(reach, (mesh.nodes[at(node)] - middle).norm());
         for (std::size_t t = 0; t < mesh.tips.size(); ++t)
-            if (!scene.mesh.in_insert(e) && (middle - mesh.tips[t].position).norm() <= radii[t] + reach) zone.insert(e);
+            if (!scene.mesh->in_insert(e) && (middle - mesh.tips[t].position).norm() <= radii[t] + reach)
+                zone.insert(e);
     }
 }
 
@@ -68,7 +78,7 @@ bool jumps(const EnrichedMesh& mesh, int node) {
 /// the zone's own holds no multiplier.
 void add_elements_that_jump(const Scene& scene, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
-    NodeSet own(mesh.terms.size());
+    std::vector<int> own;
     for (const CrackPiece& piece : mesh.pieces) {
         const bool along_edge = piece.neighbour >= 0;
         if (along_edge ? !(zone.contains(piece.element) || zone.contains(piece.neighbour))
@@ -79,14 +89,12 @@ void add_elements_that_jump(const Scene& scene, ElementSet& zone) {
         for (const double place : {piece.entry, piece.exit}) {
             if (place < 0.0 || place != std::floor(place)) continue;
             const int node = mesh.elements[at(piece.element)][at(static_cast<int>(place)) % 4];
-            if (jumps(mesh, node)) own.insert(node);
+            if (jumps(mesh, node)) own.push_back(node);
         }
     }
-    if (own.none()) return;
-    for (int e = 0; e < zone.size(); ++e)
-        if (!scene.mesh.in_insert(e) &&
-            std::ranges::any_of(mesh.elements[at(e)], [&](int node) { return own.contains(node); }))
-            zone.insert(e);
+    for_each_about(scene.mesh, own, [&](int e) {
+        if (!scene.mesh->in_insert(e)) zone.insert(e);
+    });
 }
 
 }  // namespace
@@ -105,9 +113,9 @@ void add_touching_faces(const Scene& scene, ElementSet& elements) {
 }
 
 ElementSet select_zone(const Scene& scene, const std::vector<double>& K) {
-    ElementSet zone(scene.mesh.elements.size());
+    ElementSet zone(scene.mesh->elements.size());
     for (int e = 0; e < zone.size(); ++e)
-        if (scene.mesh.is_split(e)) zone.insert(e);
+        if (scene.mesh->is_split(e)) zone.insert(e);
     add_touching_faces(scene, zone);
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
@@ -126,26 +134,21 @@ std::vector<double> expected_K(std::vector<double> K) {
 }
 
 ElementSet with_ring(const Scene& scene, ElementSet in_zone, const std::vector<int>& joining) {
-    const auto around = elements_around_nodes(scene.mesh);
     for (const int element : joining) {
-        for (const int node : scene.mesh.elements[at(element)]) {
-            for (const int neighbour : around[at(node)])
-                if (!scene.mesh.in_insert(neighbour)) in_zone.insert(neighbour);
+        for (const int node : scene.mesh->elements[at(element)]) {
+            for (const int neighbour : scene.mesh.around()[at(node)])
+                if (!scene.mesh->in_insert(neighbour)) in_zone.insert(neighbour);
         }
     }
     return in_zone;
 }
 
-ElementSet with_changed_functions(ElementSet in_zone, const EnrichedMesh& before, const EnrichedMesh& longer) {
-    const std::vector<int> piece_before = piece_of_elements(before), piece = piece_of_elements(longer);
-    const auto sees_tip = [&](int node) {
-        const auto& terms = longer.terms[at(node)];
-        return std::ranges::find(terms, Term::Kind::Tip, &Term::kind) != terms.end();
-    };
-    for (int e = 0; e < in_zone.size(); ++e) {
-        const bool newly_cut = piece_before[at(e)] < 0 && piece[at(e)] >= 0;
-        if (newly_cut || std::ranges::any_of(longer.elements[at(e)], sees_tip)) in_zone.insert(e);
-    }
+ElementSet with_changed_functions(ElementSet in_zone, const EnrichedMesh& before, const Scene& longer) {
+    const std::vector<int> piece_before = piece_of_elements(before);
+    for (const CrackPiece& piece : longer.enriched.pieces)
+        if (piece.neighbour < 0 && piece_before[at(piece.element)] < 0) in_zone.insert(piece.element);
+    const auto is_of_tip = [](const Term& term) { return term.kind == Term::Kind::Tip; };
+    for_each_about(longer.mesh, nodes_with(longer.enriched, is_of_tip), [&](int e) { in_zone.insert(e); });
     return in_zone;
 }
 

@@ -30,7 +30,7 @@ ElementSet with_ring(const Scene& scene, ElementSet in_zone, const std::vector<i
 
 /// A zone that takes in the elements whose functions longer cracks change: those that they newly cut, and those that
 /// get tip functions.
-ElementSet with_changed_functions(ElementSet in_zone, const EnrichedMesh& before, const EnrichedMesh& longer);
+ElementSet with_changed_functions(ElementSet in_zone, const EnrichedMesh& before, const Scene& longer);
 
 /// Elements of a zone in which points yield, from how many do in each, ascending; none where nobody tells.
 ElementSet flowing_in(const ElementSet& zone, const std::vector<std::int32_t>& yielding_points);

@@ -65,12 +65,19 @@ void reach_outline(const Mesh& mesh, Vec2& end) {
         }
 }
 
-/// A little larger than an element.
-Eigen::AlignedBox2d box_about(const Mesh& mesh, int element) {
+/// An element, and a part of its diagonal more.
+Eigen::AlignedBox2d box_about(const Mesh& mesh, int element, double part) {
     Eigen::AlignedBox2d box;
     for (const int node : mesh.elements[at(element)]) box.extend(mesh.nodes[at(node)]);
-    const double margin = 1e-9 * box.diagonal().norm();
+    const double margin = part * box.diagonal().norm();
     return box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
+}
+
+std::vector<Eigen::AlignedBox2d> boxes_of_segments(const std::vector<Vec2>& points) {
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (std::size_t k = 1; k < points.size(); ++k)
+        boxes.emplace_back(points[k - 1].cwiseMin(points[k]), points[k - 1].cwiseMax(points[k]));
+    return boxes;
 }
 
 bool are_on(const Crossing& a, const Crossing& b, const MeshEdge& edge) {
@@ -82,15 +89,13 @@ bool are_on(const Crossing& a, const Crossing& b, const MeshEdge& edge) {
 
 }  // namespace
 
-std::vector<Vec2> snapped_onto_mesh(const Mesh& mesh, const std::vector<Vec2>& points) {
+std::vector<Vec2> snapped_onto_mesh(const BodyMesh& mesh, const std::vector<Vec2>& points) {
     std::vector<Vec2> snapped = points;
-    for (const std::array<int, 4>& element : mesh.elements) {
-        Eigen::AlignedBox2d box;
-        for (const int node : element) box.extend(mesh.nodes[at(node)]);
-        const double margin = snap_fraction * box.diagonal().norm();
-        box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
+    const std::vector<Eigen::AlignedBox2d> places(points.begin(), points.end());
+    for (const int e : mesh.elements_near(places)) {
+        const Eigen::AlignedBox2d box = box_about(mesh, e, snap_fraction);
         for (std::size_t k = 0; k < points.size(); ++k)
-            if (box.contains(points[k])) snap(mesh, element, points[k], snapped[k]);
+            if (box.contains(points[k])) snap(mesh, mesh->elements[at(e)], points[k], snapped[k]);
     }
     reach_outline(mesh, snapped.front());
     reach_outline(mesh, snapped.back());
@@ -98,9 +103,9 @@ std::vector<Vec2> snapped_onto_mesh(const Mesh& mesh, const std::vector<Vec2>& p
     return snapped.size() > 1 ? snapped : points;
 }
 
-CrackCrossings::CrackCrossings(const Mesh& mesh, const std::vector<Vec2>& points)
-    : mesh_(mesh), points_(points), around_(elements_around_nodes(mesh)) {
-    for (const HangingNode& hanging : mesh.hanging) middle_[edge_key(hanging.ends[0], hanging.ends[1])] = hanging.node;
+CrackCrossings::CrackCrossings(BodyMesh mesh, const std::vector<Vec2>& points)
+    : mesh_(std::move(mesh)), points_(points) {
+    for (const HangingNode& h : mesh_->hanging) middle_[edge_key(h.ends[0], h.ends[1])] = h.node;
     arc_.push_back(0.0);
     for (std::size_t k = 1; k < points.size(); ++k) arc_.push_back(arc_.back() + (points[k] - points[k - 1]).norm());
     collect_edges();
@@ -108,22 +113,20 @@ CrackCrossings::CrackCrossings(const Mesh& mesh, const std::vector<Vec2>& points
 }
 
 void CrackCrossings::collect_edges() {
-    Eigen::AlignedBox2d crack;
-    for (const Vec2& point : points_) crack.extend(point);
     std::map<std::pair<int, int>, std::size_t> index;
-    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-        const Eigen::AlignedBox2d box = box_about(mesh_, static_cast<int>(e));
-        if (!box.intersects(crack) || !meets_crack(box)) continue;
+    for (const int e : mesh_.elements_near(boxes_of_segments(points_))) {
+        if (!meets_crack(box_about(mesh_, e, 1e-9))) continue;
         const auto add = [&](int from, int to) {
             const auto key = edge_key(from, to);
             const auto [found, added] = index.try_emplace(key, edges_.size());
             if (added)
-                edges_.push_back({key.first, key.second, {static_cast<int>(e), -1}});
+                edges_.push_back({key.first, key.second, {e, -1}});
             else
-                edges_[found->second].elements[1] = static_cast<int>(e);
+                edges_[found->second].elements[1] = e;
         };
         for (std::size_t k = 0; k < 4; ++k) {
-            const int from = mesh_.elements[e][k], to = mesh_.elements[e][(k + 1) % 4], middle = middle_of(from, to);
+            const std::array<int, 4>& nodes = mesh_->elements[at(e)];
+            const int from = nodes[k], to = nodes[(k + 1) % 4], middle = middle_of(from, to);
             add(from, middle >= 0 ? middle : to);
             if (middle < 0) continue;
             add(middle, to);
@@ -163,7 +166,7 @@ void CrackCrossings::collect() {
 
 // On the side of the larger element no edge ends at them: a crack along its edge, by rounding on that side, meets none.
 void CrackCrossings::add_hanging_nodes() {
-    for (const auto& [middle, ends, larger] : mesh_.hanging) {
+    for (const auto& [middle, ends, larger] : mesh_->hanging) {
         if (!hanging_near_.contains(middle)) continue;
         const Vec2& x = node(middle);
         const double rounding = 1e-9 * (node(ends[1]) - node(ends[0])).norm();
@@ -246,13 +249,13 @@ bool CrackCrossings::has_kink_between(double s0, double s1) const {
 
 // An edge met once near the crack may have its other element farther away.
 bool CrackCrossings::is_boundary(const MeshEdge& edge) const {
-    const std::span<const int> others = around_[at(edge.second)];
-    return std::ranges::count_if(around_[at(edge.first)],
+    const std::span<const int> others = mesh_.around()[at(edge.second)];
+    return std::ranges::count_if(mesh_.around()[at(edge.first)],
                                  [&](int e) { return std::ranges::find(others, e) != others.end(); }) == 1;
 }
 
 double CrackCrossings::place(int e, const Crossing& crossing) const {
-    const auto& nodes = mesh_.elements[at(e)];
+    const auto& nodes = mesh_->elements[at(e)];
     for (std::size_t k = 0; k < 4; ++k) {
         const int from = nodes[k], to = nodes[(k + 1) % 4], middle = middle_of(from, to);
         const auto edge = static_cast<double>(k);
@@ -273,7 +276,7 @@ double CrackCrossings::place(int e, const Crossing& crossing) const {
 std::vector<int> CrackCrossings::elements_at(const Crossing& crossing) const {
     std::vector<int> result;
     if (crossing.node >= 0) {
-        const std::span<const int> around = around_[at(crossing.node)];
+        const std::span<const int> around = mesh_.around()[at(crossing.node)];
         result.assign(around.begin(), around.end());
         return result;
     }

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "common/fem/mesh.hpp"
+#include "common/fem/body_mesh.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
 
@@ -35,12 +35,12 @@ inline constexpr double snap_fraction = 1e-3;
 /// at which the crack crosses would leave a piece between both that runs anywhere. Points that are a millionth of an
 /// edge's length beside it are put onto it: what a crack along the edge would cut off there has no stiffness. Ends on
 /// the outline, to rounding, are put a little beyond it.
-std::vector<Vec2> snapped_onto_mesh(const Mesh& mesh, const std::vector<Vec2>& points);
+std::vector<Vec2> snapped_onto_mesh(const BodyMesh& mesh, const std::vector<Vec2>& points);
 
 class CrackCrossings {
 public:
-    /// Both must outlive it. Whether a crossing exists is decided by exact predicates.
-    CrackCrossings(const Mesh& mesh, const std::vector<Vec2>& points);
+    /// The points must outlive it. Whether a crossing exists is decided by exact predicates.
+    CrackCrossings(BodyMesh mesh, const std::vector<Vec2>& points);
     CrackCrossings(const CrackCrossings&) = delete;  // crossings point to its edges
     CrackCrossings& operator=(const CrackCrossings&) = delete;
 
@@ -83,11 +83,10 @@ private:
     [[nodiscard]] bool has_kink_between(double s0, double s1) const;
     [[nodiscard]] int middle_of(int a, int b) const;  // the hanging node in the middle of an edge, or -1
     [[nodiscard]] std::vector<int> elements_at(const Crossing& crossing) const;
-    [[nodiscard]] const Vec2& node(int n) const { return mesh_.nodes[at(n)]; }
+    [[nodiscard]] const Vec2& node(int n) const { return mesh_->nodes[at(n)]; }
 
-    const Mesh& mesh_;
+    BodyMesh mesh_;
     const std::vector<Vec2>& points_;
-    IndexLists around_;                          // elements around each node
     std::map<std::pair<int, int>, int> middle_;  // hanging node of an edge
     std::set<int> hanging_near_;                 // of elements near the crack
     std::vector<double> arc_;

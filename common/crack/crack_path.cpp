@@ -20,7 +20,7 @@ namespace {
 
 class Resolver {
 public:
-    Resolver(const Mesh& mesh, int crack, const std::vector<Vec2>& points)
+    Resolver(const BodyMesh& mesh, int crack, const std::vector<Vec2>& points)
         : mesh_(mesh), crack_(crack), points_(points), skeleton_(mesh, points), crossings_(skeleton_.all()),
           arc_(skeleton_.arc()) {}
 
@@ -46,9 +46,7 @@ private:
             if (edge.elements[1] >= 0 || !skeleton_.is_boundary(edge)) continue;
             if (intersect(x, x, node(edge.first), node(edge.second))) return false;
         }
-        for (int e = 0; e < std::ssize(mesh_.elements); ++e)
-            if (side_of(e, x) >= 0) return true;
-        return false;
+        return std::ranges::any_of(mesh_.elements_near(x), [&](int e) { return side_of(e, x) >= 0; });
     }
 
     /// Of an element, as side_of_polygon(): most are told by a look at their corners.
@@ -101,7 +99,7 @@ private:
         const bool ends_at_tip =
             (&b == &crossings_.back() && ends_on_edge_) || (&a == &crossings_.front() && starts_on_edge_);
         if (shared.size() != 2 || !(whole_edge || ends_at_tip || leaves)) refuse_partial_edge(b.position);
-        const bool first_is_left = orientation(a.position, b.position, centre(mesh_, shared[0])) > 0;
+        const bool first_is_left = orientation(a.position, b.position, centre(*mesh_, shared[0])) > 0;
         CrackPiece result = make_piece(first_is_left ? shared[1] : shared[0], chain, &a, &b);
         result.neighbour = first_is_left ? shared[0] : shared[1];
         return result;
@@ -144,7 +142,7 @@ private:
             const std::vector<Vec2>& points = chain.first;
             if (const MeshEdge* edge = edge_of(points)) {  // both elements beside it hold the tip
                 const int left =
-                    orientation(points.front(), points.back(), centre(mesh_, edge->elements[0])) > 0 ? 0 : 1;
+                    orientation(points.front(), points.back(), centre(*mesh_, edge->elements[0])) > 0 ? 0 : 1;
                 CrackPiece result = make_piece(edge->elements[at(1 - left)], chain, a, b);
                 result.neighbour = edge->elements[at(left)];
                 return result;
@@ -152,7 +150,7 @@ private:
             if (a != nullptr) refuse_bend_on_edge(points[0], points[1]);
             if (b != nullptr) refuse_bend_on_edge(points.back(), points[points.size() - 2]);
         }
-        for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
+        for (const int e : mesh_.elements_near(middle)) {
             const int inside = side_of(e, middle);
             if (inside > 0) return make_piece(e, chain, a, b);
             if (inside == 0) refuse_partial_edge(middle);  // and then leaves it, or it would be one of the above
@@ -208,14 +206,14 @@ private:
         }
     }
 
-    [[nodiscard]] const Vec2& node(int n) const { return mesh_.nodes[at(n)]; }
+    [[nodiscard]] const Vec2& node(int n) const { return mesh_->nodes[at(n)]; }
 
     [[nodiscard]] std::array<Vec2, 4> polygon(int e) const {
-        const auto& n = mesh_.elements[at(e)];
+        const auto& n = mesh_->elements[at(e)];
         return {node(n[0]), node(n[1]), node(n[2]), node(n[3])};
     }
 
-    const Mesh& mesh_;
+    const BodyMesh& mesh_;
     int crack_;
     const std::vector<Vec2>& points_;
     CrackCrossings skeleton_;
@@ -241,7 +239,7 @@ double CrackPath::mouth() const {
     return tip_at_end ? std::numeric_limits<double>::quiet_NaN() : pieces.back().s.back();
 }
 
-CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points) {
+CrackPath resolve_crack(const BodyMesh& mesh, int crack, const std::vector<Vec2>& points) {
     const std::vector<Vec2> snapped = snapped_onto_mesh(mesh, points);
     refuse_turning_back(crack, snapped);
     CrackPath path = Resolver(mesh, crack, snapped).resolve();

@@ -5,7 +5,7 @@
 
 #include "common/crack/crack_piece.hpp"
 #include "common/error.hpp"
-#include "common/fem/mesh.hpp"
+#include "common/fem/body_mesh.hpp"
 
 namespace stria {
 
@@ -30,6 +30,6 @@ struct CrackPath {
 /// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, leaves
 /// it between its ends or turns by more than a right angle, CrackOffMesh where it enters an element twice, or leaves an
 /// element edge between its nodes after running along it.
-CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points);
+CrackPath resolve_crack(const BodyMesh& mesh, int crack, const std::vector<Vec2>& points);
 
 }  // namespace stria

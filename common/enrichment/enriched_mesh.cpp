@@ -6,26 +6,45 @@
 #include "common/index.hpp"
 
 namespace stria {
+namespace {
+
+/// Nodes with other unknowns than those of their displacement, or none of their own; ascending.
+std::vector<int> nodes_with_more_or_less(const EnrichedMesh& mesh) {
+    std::vector<int> nodes = mesh.terms.nodes();
+    for (const TiedNode& tie : mesh.tied) nodes.push_back(tie.node);
+    std::ranges::sort(nodes);
+    nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+    return nodes;
+}
+
+}  // namespace
 
 void EnrichedMesh::number() {
     first_unknown.assign(nodes.size(), 0);
     first_gathered.assign(tips.size(), 0);
     std::vector<int> gathered(tips.size(), 0);  // functions of each tip
     unknowns = 0;
-    for (std::size_t node = 0; node < nodes.size(); ++node) {
-        const TiedNode* const tie_here = tie(static_cast<int>(node));
-        first_unknown[node] = tie_here != nullptr ? unknowns - 2 : unknowns;
+    int next = 0;
+    const auto number_until = [&](int end) {  // nodes with a displacement of their own alone
+        for (; next < end; ++next, unknowns += 2) first_unknown[at(next)] = unknowns;
+    };
+    for (const int node : nodes_with_more_or_less(*this)) {
+        number_until(node);
+        const TiedNode* const tie_here = tie(node);
+        first_unknown[at(node)] = tie_here != nullptr ? unknowns - 2 : unknowns;
         if (tie_here == nullptr) unknowns += 2;
-        for (int k = 0; k < std::ssize(terms[node]); ++k) {
-            const Term& term = terms[node][at(k)];
-            if (term.kind != Term::Kind::Gathered) {
-                if (!follows(static_cast<int>(node), k + 1)) unknowns += 2;
+        const std::vector<Term>& own = terms[at(node)];
+        for (int k = 0; k < std::ssize(own); ++k) {
+            if (own[at(k)].kind != Term::Kind::Gathered) {
+                if (!follows(node, k + 1)) unknowns += 2;
                 continue;
             }
-            int& functions = gathered[at(term.owner)];
-            functions = std::max(functions, term.function + 1);
+            int& functions = gathered[at(own[at(k)].owner)];
+            functions = std::max(functions, own[at(k)].function + 1);
         }
+        ++next;
     }
+    number_until(static_cast<int>(nodes.size()));
     for (std::size_t tip = 0; tip < tips.size(); ++tip) {
         first_gathered[tip] = unknowns;
         unknowns += 2 * gathered[tip];
@@ -51,6 +70,19 @@ std::vector<EnrichedMesh::OwnUnknown> EnrichedMesh::own_unknowns() const {
             if (!follows(node, term)) own.push_back({node, term, unknown(node, term, 0)});
     }
     return own;
+}
+
+// Nodes without unknowns of their own seem to begin where others do.
+int EnrichedMesh::node_of(int unknown) const {
+    if (!first_gathered.empty() && unknown >= first_gathered.front()) return -1;
+    auto node = static_cast<int>(std::ranges::upper_bound(first_unknown, unknown) - first_unknown.begin()) - 1;
+    while (tie(node) != nullptr && unknown < first_unknown[at(node)] + 2) --node;
+    return node;
+}
+
+bool EnrichedMesh::is_standard(int unknown) const {
+    const int node = node_of(unknown);
+    return node >= 0 && unknown < first_unknown[at(node)] + 2;
 }
 
 double EnrichedMesh::value_at(const TiedNode& here, const Term& function) const {
@@ -80,23 +112,25 @@ bool same_on(const EnrichedMesh& from, const Term& old, const EnrichedMesh& to, 
 
 std::vector<int> same_unknowns(const EnrichedMesh& mesh, const EnrichedMesh& other) {
     std::vector<int> result(at(mesh.unknowns), -1);
-    auto twin = other.node_ids.begin();  // ids ascend in both
-    for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
-        const auto n = at(node);
-        while (twin != other.node_ids.end() && *twin < mesh.node_ids[n]) ++twin;
-        if (twin == other.node_ids.end()) break;
-        if (*twin != mesh.node_ids[n]) continue;
-        const int other_node = static_cast<int>(twin - other.node_ids.begin());
-        int same = 0;
-        if (term > 0) {
-            const Term& own = mesh.terms[n][at(term - 1)];
-            const auto& terms = other.terms[at(other_node)];
-            const auto found = std::ranges::find_if(terms, [&](const Term& t) { return same_on(other, t, mesh, own); });
+    const auto put = [&](int node, int term, int other_node, int other_term) {
+        if (mesh.follows(node, term) || other.follows(other_node, other_term)) return;
+        for (const int component : {0, 1})
+            result[at(mesh.unknown(node, term, component))] = other.unknown(other_node, other_term, component);
+    };
+    std::size_t twin = 0;  // ids ascend in both
+    for (int node = 0; node < std::ssize(mesh.nodes); ++node) {
+        while (twin < other.node_ids.size() && other.node_ids[twin] < mesh.node_ids[at(node)]) ++twin;
+        if (twin == other.node_ids.size()) break;
+        if (other.node_ids[twin] != mesh.node_ids[at(node)]) continue;
+        const int other_node = static_cast<int>(twin);
+        put(node, 0, other_node, 0);
+        const std::vector<Term>&own = mesh.terms[at(node)], &terms = other.terms[twin];
+        for (std::size_t term = 0; term < own.size(); ++term) {
+            const auto is_same = [&](const Term& t) { return same_on(other, t, mesh, own[term]); };
+            const auto found = std::ranges::find_if(terms, is_same);
             if (found == terms.end()) continue;
-            same = static_cast<int>(found - terms.begin()) + 1;
+            put(node, static_cast<int>(term) + 1, other_node, static_cast<int>(found - terms.begin()) + 1);
         }
-        if (other.follows(other_node, same)) continue;
-        for (const int component : {0, 1}) result[at(unknown + component)] = other.unknown(other_node, same, component);
     }
     return result;
 }

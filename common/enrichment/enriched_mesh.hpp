@@ -11,25 +11,12 @@
 
 #include "common/crack/crack_piece.hpp"
 #include "common/crack/tip.hpp"
+#include "common/enrichment/terms_of_nodes.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/shared_list.hpp"
 
 namespace stria {
-
-/// One enrichment term of a node: N_i (psi(x) - psi(x_i)), shifted so that it vanishes at the node. A gathered tip
-/// function has one pair of unknowns for all nodes that carry it: sum_i N_i (psi - sum_k N_k psi(x_k)).
-struct Term {
-    enum class Kind : int { Heaviside, Tip, Gathered, Left };
-    Kind kind;
-    int owner;     // Heaviside: crack index; Left: index into EnrichedMesh::left_tips; else tip index
-    int function;  // alpha of eq. (2), from 0; Heaviside: 0
-    double shift;  // psi(x_i)
-
-    /// The same function, whatever mesh it is written on.
-    [[nodiscard]] bool same_function(const Term& other) const {
-        return kind == other.kind && owner == other.owner && function == other.function;
-    }
-};
 
 /// A hanging node, tied to the trace of the larger neighbour: the displacement there is the mean of the ends' on either
 /// side of the crack, so u = sum_i (u_i + (side - s_i) a_i + (psi - psi_i) b_i) / 2, where the crack meets the edge
@@ -42,20 +29,20 @@ struct TiedNode {
 };
 
 struct EnrichedMesh {
-    std::vector<Vec2> nodes;
-    std::vector<std::array<int, 4>> elements;
-    std::vector<int> node_ids;     // of the whole mesh, ascending
-    std::vector<int> element_ids;  // of the whole mesh
-    std::vector<int> material;     // of each element (materials.hpp); empty: all are of material 0
+    SharedList<Vec2> nodes;
+    SharedList<std::array<int, 4>> elements;
+    SharedList<int> node_ids;     // of the whole mesh, ascending
+    SharedList<int> element_ids;  // of the whole mesh
+    SharedList<int> material;     // of each element (materials.hpp); empty: all are of material 0
 
     std::vector<CrackPiece> pieces;  // ordered by crack, then along it
     std::vector<Tip> tips;
-    std::vector<Tip> left_tips;            // that cracks have outgrown, where their functions stay unknowns
-    std::vector<double> mouths;            // per crack, CrackPath::mouth()
-    std::vector<double> grown_at_start;    // per crack: CrackSection::grown_at_start, mm; empty: no first point moved
-    double tip_exponent = 0.5;             // 1/(n+1) of eq. (2)
-    int tip_functions = 0;                 // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
-    std::vector<std::vector<Term>> terms;  // per node; gathered ones last
+    std::vector<Tip> left_tips;          // that cracks have outgrown, where their functions stay unknowns
+    std::vector<double> mouths;          // per crack, CrackPath::mouth()
+    std::vector<double> grown_at_start;  // per crack: CrackSection::grown_at_start, mm; empty: no first point moved
+    double tip_exponent = 0.5;           // 1/(n+1) of eq. (2)
+    int tip_functions = 0;               // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
+    TermsOfNodes terms;                  // gathered ones last
     // +1, -1: side of an uncut element that touches the crack, or that the line behind a tip crosses where its
     // functions act; else 0.
     std::vector<signed char> element_side;
@@ -118,6 +105,11 @@ struct EnrichedMesh {
         }
         return first_unknown[at(node)] + 2 * term + component;
     }
+
+    /// The node that alone has an unknown; -1: it is of a gathered function.
+    [[nodiscard]] int node_of(int unknown) const;
+    /// Of a node's displacement, and not of a term.
+    [[nodiscard]] bool is_standard(int unknown) const;
 
     /// Of a term with a tip's function.
     [[nodiscard]] const Tip& tip_of(const Term& term) const {

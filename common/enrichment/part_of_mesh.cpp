@@ -23,13 +23,13 @@ void drop_unseen_terms(EnrichedMesh& mesh) {
         const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
         for (const int unknown : basis.unknowns()) seen[at(unknown)] = 1;
     }
-    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+    for (const int node : mesh.terms.nodes()) {
         std::vector<Term> kept;
         const auto& terms = mesh.terms[at(node)];
         for (int t = 0; t < static_cast<int>(terms.size()); ++t) {
             if (mesh.follows(node, t + 1) || seen[at(mesh.unknown(node, t + 1, 0))] != 0) kept.push_back(terms[at(t)]);
         }
-        mesh.terms[at(node)] = std::move(kept);
+        mesh.terms.of(at(node)) = std::move(kept);
     }
     mesh.number();
 }
@@ -49,24 +49,36 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
     for (const int e : elements) {
         for (const int node : whole.elements[at(e)]) local_node[at(node)] = 0;
     }
+    std::vector<Vec2> nodes;
+    std::vector<int> node_ids, of_whole;
     for (std::size_t n = 0; n < local_node.size(); ++n) {  // the part keeps the order of the whole
         if (local_node[n] < 0) continue;
-        local_node[n] = static_cast<int>(part.nodes.size());
-        part.nodes.push_back(whole.nodes[n]);
-        part.node_ids.push_back(whole.node_ids[n]);
-        part.terms.push_back(whole.terms[n]);
+        local_node[n] = static_cast<int>(nodes.size());
+        nodes.push_back(whole.nodes[n]);
+        node_ids.push_back(whole.node_ids[n]);
+        of_whole.push_back(static_cast<int>(n));
     }
+    part.terms = TermsOfNodes(nodes.size());
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+        if (const auto& terms = whole.terms[at(of_whole[n])]; !terms.empty()) part.terms.of(n) = terms;
+    part.nodes = std::move(nodes);
+    part.node_ids = std::move(node_ids);
+    std::vector<std::array<int, 4>> own;
+    std::vector<int> element_ids, material;
     for (const int e : elements) {
         const auto index = at(e);
-        local_element[index] = static_cast<int>(part.elements.size());
+        local_element[index] = static_cast<int>(own.size());
         std::array<int, 4> corners{};
         for (std::size_t k = 0; k < 4; ++k) corners[k] = local_node[at(whole.elements[index][k])];
-        part.elements.push_back(corners);
-        part.element_ids.push_back(whole.element_ids[index]);
+        own.push_back(corners);
+        element_ids.push_back(whole.element_ids[index]);
         part.element_side.push_back(whole.element_side[index]);
         part.branch.push_back(static_cast<signed char>(branch_side(whole, e)));
-        if (!whole.material.empty()) part.material.push_back(whole.material[index]);
+        if (!whole.material.empty()) material.push_back(whole.material[index]);
     }
+    part.elements = std::move(own);
+    part.element_ids = std::move(element_ids);
+    part.material = std::move(material);
     for (CrackPiece piece : whole.pieces) {
         piece.element = local_element[at(piece.element)];
         if (piece.neighbour >= 0) piece.neighbour = local_element[at(piece.neighbour)];

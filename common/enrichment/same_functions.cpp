@@ -9,6 +9,12 @@ bool same_term(const Term& a, const Term& b) { return a.same_function(b) && a.sh
 
 bool same_terms(const std::vector<Term>& a, const std::vector<Term>& b) { return std::ranges::equal(a, b, same_term); }
 
+bool same_terms(const TermsOfNodes& a, const TermsOfNodes& b) {
+    const std::vector<int> nodes = a.nodes();
+    return a.size() == b.size() && nodes == b.nodes() &&
+           std::ranges::all_of(nodes, [&](int node) { return same_terms(a[at(node)], b[at(node)]); });
+}
+
 bool same_tie(const TiedNode& a, const TiedNode& b) {
     return a.node == b.node && a.ends == b.ends && a.side == b.side && a.jump_tied == b.jump_tied;
 }
@@ -32,8 +38,7 @@ bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other) {
            std::ranges::equal(mesh.pieces, other.pieces, same_piece) && mesh.element_ids == other.element_ids &&
            mesh.node_ids == other.node_ids && mesh.elements == other.elements && mesh.nodes == other.nodes &&
            mesh.material == other.material && mesh.element_side == other.element_side && mesh.branch == other.branch &&
-           std::ranges::equal(mesh.tied, other.tied, same_tie) &&
-           std::ranges::equal(mesh.terms, other.terms, same_terms);
+           std::ranges::equal(mesh.tied, other.tied, same_tie) && same_terms(mesh.terms, other.terms);
 }
 
 bool same_arc_lengths(const EnrichedMesh& mesh, const EnrichedMesh& other) {

@@ -53,7 +53,8 @@ struct Mesh {
     std::optional<double> load_line;          // x, mm: crack lengths are measured from there (CT)
 
     [[nodiscard]] int material_of(int element) const { return material.empty() ? 0 : material[at(element)]; }
-    [[nodiscard]] bool is_split(int element) const { return !level.empty() && level[at(element)] > 0; }
+    [[nodiscard]] int level_of(int element) const { return level.empty() ? 0 : level[at(element)]; }
+    [[nodiscard]] bool is_split(int element) const { return level_of(element) > 0; }
     [[nodiscard]] bool in_insert(int element) const {
         return std::binary_search(insert.begin(), insert.end(), element);
     }

@@ -45,11 +45,15 @@ Eigen::Vector4d corner_weights(const EnrichedMesh& mesh, int element, const Tip&
 
 RingWeights::RingWeights(const EnrichedMesh& mesh, const Tip& tip, std::span<const Annulus> rings,
                          std::span<const int> among, bool with_inside) {
-    std::vector<std::optional<Distances>> known(mesh.nodes.size());  // elements share their corners
+    std::vector<Distances> known;  // elements share their corners
+    std::vector<int> place(mesh.nodes.size(), -1);
     const auto of_corner = [&](int node) {
-        std::optional<Distances>& own = known[at(node)];
-        if (!own) own = distances(mesh, node, tip);
-        return *own;
+        int& own = place[at(node)];
+        if (own < 0) {
+            own = static_cast<int>(known.size());
+            known.push_back(distances(mesh, node, tip));
+        }
+        return known[at(own)];
     };
     for (const int element : among) {
         const std::size_t first = entered_.size();

@@ -50,6 +50,10 @@ private:
             for (const T& item : list) put(item);
     }
 
+    template <class T> void put(const SharedList<T>& list) { put(list.copy()); }
+
+    void put(const TermsOfNodes& terms) { put(terms.lists()); }
+
     template <class T, std::size_t n> void put(const std::array<T, n>& list) { put_raw(list.data(), n); }
 
     void put(bool flag) { put(static_cast<std::uint8_t>(flag)); }
@@ -117,6 +121,18 @@ private:
             get_raw(list.data(), list.size());
         else
             for (T& item : list) get(item);
+    }
+
+    template <class T> void get(SharedList<T>& list) {
+        std::vector<T> own;
+        get(own);
+        list = std::move(own);
+    }
+
+    void get(TermsOfNodes& terms) {
+        std::vector<std::vector<Term>> lists;
+        get(lists);
+        terms = lists;
     }
 
     template <class T, std::size_t n> void get(std::array<T, n>& list) { get_raw(list.data(), n); }

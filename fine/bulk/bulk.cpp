@@ -30,7 +30,8 @@ Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws la
                             return points_of(snapshot, rows.at(at(e)));
                         }),
            std::move(laws), snapshot.displacement) {
-    require(snapshot.element == mesh.element_ids, "a snapshot has the elements of its zone, in its order");
+    require(std::ranges::equal(snapshot.element, mesh.element_ids),
+            "a snapshot has the elements of its zone, in its order");
     read_rows(snapshot, operators(), history_);
     history_.set_half_cycle_ended(snapshot.half_cycle_ended);
     history_.rollback();
@@ -62,7 +63,7 @@ void Bulk::move_tips(std::vector<Tip> tips) {
 }
 
 void Bulk::remember(coupling::ZoneSnapshot& out) const {
-    out.element = elements_.mesh().element_ids;
+    out.element = elements_.mesh().element_ids.copy();
     out.rank.assign(out.element.size(), 0);
     for (const ElementOperator& op : operators()) out.points.push_back(static_cast<std::int32_t>(op.points.size()));
     write_rows(operators(), history_, out);

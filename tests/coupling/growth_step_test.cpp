@@ -2,6 +2,8 @@
 // condenses and builds; and that the nominal solution is that of the whole body.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/refined_scene.hpp"
@@ -18,6 +20,9 @@ struct Grown {
     int changes_of_zone = 0;
     int near = 0;                           // elements, at the end
     std::vector<double> K, K_of_the_whole;  // of each length
+    std::set<const Vec2*> meshes;           // the nodes of each, wherever they stand
+    std::vector<SharedList<Vec2>> held;     // lest another one takes their place
+    int splits = 0;                         // steps that split elements
 };
 
 struct Growth {
@@ -47,6 +52,12 @@ Grown grow(const Growth& growth) {
         if (increment.step.ends_cycle) grown.built.push_back(increment.zone.work.elements_built);
         if (structure.in_zone() != in_zone) ++grown.changes_of_zone;
         in_zone = structure.in_zone();
+        const coarse::Scene& present = structure.scene();
+        for (const SharedList<Vec2>& nodes :
+             {present.mesh.nodes(), present.enriched.nodes, nominal_functions(present).nodes}) {
+            grown.held.push_back(nodes);
+            grown.meshes.insert(nodes.data());
+        }
         grown.near = static_cast<int>(structure.elements().near().size());
         if (!grown.K.empty() && grown.K.back() == increment.nominal[0].K_I) return;
         grown.K.push_back(increment.nominal[0].K_I);
@@ -55,6 +66,7 @@ Grown grow(const Growth& growth) {
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
     grown.made = analysis.effort().work;
+    grown.splits = analysis.effort().counts.mesh_splits;
     return grown;
 }
 
@@ -123,6 +135,14 @@ TEST(GrowthStep, BuildsTheElementsNearTheTipAlone) {
     EXPECT_EQ(least(grown, 10, 16), least(grown, 1, 6));
     EXPECT_EQ(least(in_large, 1, 6), least(grown, 1, 6));
     EXPECT_LT(grown.built.back(), 3 * grown.built.front()) << "fifteen steps, and the zone of the first";
+}
+
+// Nodes and elements are those of the body, and so is what is looked up on them: in a step no pass makes them anew.
+TEST(GrowthStep, LeavesTheMeshAsItIs) {
+    const Grown grown = grow({.refine = 1}), refined = grow({.refine = 4, .cycles = 12});
+    EXPECT_EQ(grown.meshes.size(), 1U);
+    EXPECT_EQ(at(refined.splits), refined.meshes.size() - 1);
+    EXPECT_LT(refined.splits, 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Refinement, GrowthStepOf, testing::Values(1, 4));

@@ -250,7 +250,7 @@ coarse::Scene with_boundary_held(const CrackedPlate& plate, bool with_crack) {
 void try_conditioning(const CrackedPlate& plate, unsigned seed, Tally& tally) {
     const auto number = [](const coarse::Scene& scene) { return condition_number(coarse::Structure(scene), 40); };
     const coarse::Scene cracked = with_boundary_held(plate, true), whole = with_boundary_held(plate, false);
-    const bool own = std::ranges::any_of(cracked.enriched.terms, [](const std::vector<Term>& terms) {
+    const bool own = std::ranges::any_of(cracked.enriched.terms.lists(), [](const std::vector<Term>& terms) {
         return std::ranges::find(terms, Term::Kind::Tip, &Term::kind) != terms.end();
     });
     tally.measure(own ? "condition number, functions of each node" : "condition number, over that without a crack",

@@ -22,7 +22,7 @@ inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elastici
 }
 
 /// No fine zone: every element is the structure's.
-inline ElementSet no_zone(const coarse::Scene& scene) { return ElementSet(scene.mesh.elements.size()); }
+inline ElementSet no_zone(const coarse::Scene& scene) { return ElementSet(scene.mesh->elements.size()); }
 
 /// Displacement gradient of a homogeneous in-plane stress (the plane state gives the rest) without rotation.
 inline Eigen::Matrix2d gradient_of(const Eigen::Matrix2d& stress, const Elasticity& elastic) {

@@ -37,7 +37,7 @@ struct Settled {
         Mandel stress = Mandel::Zero();
         double nearest = 1e300;
         structure.elements().for_each([&](const auto& op) {
-            const double distance = (centre(scene.mesh, op.element) - place).norm();
+            const double distance = (centre(*scene.mesh, op.element) - place).norm();
             if (distance >= nearest) return;
             nearest = distance;
             const auto local = gather(u, op.unknowns);

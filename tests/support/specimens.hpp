@@ -126,8 +126,8 @@ struct ElasticSolution {
     [[nodiscard]] double reaction(const std::string& boundary) const {
         const Eigen::VectorXd forces = coarse::forces_on_prescribed(structure.elements(), u);
         double sum = 0.0;
-        NodeSet on_boundary(scene.mesh.nodes.size());
-        for (const BoundaryEdge& edge : scene.mesh.boundary.at(boundary))
+        NodeSet on_boundary(scene.mesh->nodes.size());
+        for (const BoundaryEdge& edge : scene.mesh->boundary.at(boundary))
             for (const int node : coarse::edge_nodes(scene.mesh, edge)) on_boundary.insert(node);
         for (const int node : on_boundary.members()) {
             const int unknown = scene.enriched.unknown(node, 0, 1);
@@ -139,11 +139,11 @@ struct ElasticSolution {
         return sum;
     }
 
-    [[nodiscard]] int elements_across() const { return static_cast<int>(scene.mesh.boundary.at("bottom").size()); }
+    [[nodiscard]] int elements_across() const { return static_cast<int>(scene.mesh->boundary.at("bottom").size()); }
 
     [[nodiscard]] double smallest_edge() const {
         double smallest = 1e300;
-        for (const BoundaryEdge& edge : scene.mesh.boundary.at("bottom"))
+        for (const BoundaryEdge& edge : scene.mesh->boundary.at("bottom"))
             smallest = std::min(smallest, coarse::edge_geometry(scene.mesh, edge).length());
         return smallest;
     }

@@ -90,11 +90,11 @@ coarse::Scene cut_square(int elements, double left, double right, const Multipli
 
     for (coarse::PrescribedUnknown& p : scene.prescribed) {
         for (const char* edge : {"top", "bottom"}) {
-            for (const BoundaryEdge& e : scene.mesh.boundary.at(edge)) {
+            for (const BoundaryEdge& e : scene.mesh->boundary.at(edge)) {
                 for (const int node : coarse::edge_nodes(scene.mesh, e)) {
                     for (int c = 0; c < 2; ++c) {
                         if (p.unknown == scene.enriched.unknown(node, 0, c))
-                            p.value = field.displacement(scene.mesh.nodes[size_t(node)])[c];
+                            p.value = field.displacement(scene.mesh->nodes[size_t(node)])[c];
                     }
                 }
             }
@@ -103,7 +103,7 @@ coarse::Scene cut_square(int elements, double left, double right, const Multipli
     scene.unit_force.setZero();
     const std::vector<int> piece = piece_of_elements(scene.enriched);
     for (const char* name : {"left", "right"}) {
-        for (const BoundaryEdge& e : scene.mesh.boundary.at(name)) {
+        for (const BoundaryEdge& e : scene.mesh->boundary.at(name)) {
             const coarse::EdgeGeometry edge = coarse::edge_geometry(scene.mesh, e);
             const int index = piece[size_t(e.element)];
             const CrackPiece* cut = index >= 0 ? &scene.enriched.pieces[size_t(index)] : nullptr;

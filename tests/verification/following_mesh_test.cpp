@@ -34,7 +34,7 @@ Grown grow_on(const Case& input, const coarse::Scene& scene) {
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
         grown.cycles.insert(grown.cycles.end(), increment.cycles.begin(), increment.cycles.end());
-        grown.elements = structure.scene().mesh.elements.size();
+        grown.elements = structure.scene().mesh->elements.size();
         grown.at_tip = coarse::tip_element_size(structure.scene().enriched, structure.scene().enriched.tips[0]);
         grown.crack = structure.scene().input.cracks[0].points;
     };

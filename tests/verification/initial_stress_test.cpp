@@ -68,8 +68,8 @@ TEST(InitialStress, AFieldInEquilibriumStays) {
     input.initial_stress = InitialStressSection{.sigma_x = {}, .sigma_y = {}, .file = {}, .grid = grid};
     const Settled settled(input);
     double off = 0.0, largest = 0.0;
-    for (int e = 0; e < std::ssize(settled.scene.mesh.elements); ++e) {
-        const Vec2 x = centre(settled.scene.mesh, e);
+    for (int e = 0; e < std::ssize(settled.scene.mesh->elements); ++e) {
+        const Vec2 x = centre(*settled.scene.mesh, e);
         const Mandel given = settled.scene.initial_stress(e, x);
         off = std::max(off, (settled.stress_at(x) - given).norm());
         largest = std::max(largest, given.norm());

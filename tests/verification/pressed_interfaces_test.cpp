@@ -69,7 +69,7 @@ double pressure_on_top(double x) { return 10.0 - 0.05 * (x - 10.0) * (x - 10.0);
 
 void press_top(coarse::Scene& scene) {
     scene.unit_force.setZero();
-    for (const BoundaryEdge& e : scene.mesh.boundary.at("top")) {
+    for (const BoundaryEdge& e : scene.mesh->boundary.at("top")) {
         const coarse::EdgeGeometry edge = coarse::edge_geometry(scene.mesh, e);
         const std::array<int, 2> nodes = coarse::edge_nodes(scene.mesh, e);
         for (const LinePoint& g : gauss_line(3)) {

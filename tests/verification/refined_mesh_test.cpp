@@ -156,10 +156,10 @@ TEST(RefinedMesh, HasTheStressIntensityOfAUniformlyFineMesh) {
     const ElasticSolution fine = solve(160, 1), refined = solve(20, 8), coarse = solve(20, 1);
     const auto off = [&](const ElasticSolution& s) { return 100.0 * (s.tips[0].K_I / fine.tips[0].K_I - 1.0); };
     std::cout << fmt::format("elements {} / {} / {}: K_I off by {:+.3f} % refined, {:+.3f} % coarse\n",
-                             fine.scene.mesh.elements.size(), refined.scene.mesh.elements.size(),
-                             coarse.scene.mesh.elements.size(), off(refined), off(coarse));
+                             fine.scene.mesh->elements.size(), refined.scene.mesh->elements.size(),
+                             coarse.scene.mesh->elements.size(), off(refined), off(coarse));
     EXPECT_LT(std::abs(off(refined)), 0.2);
-    EXPECT_LT(refined.scene.mesh.elements.size(), fine.scene.mesh.elements.size() / 10);
+    EXPECT_LT(refined.scene.mesh->elements.size(), fine.scene.mesh->elements.size() / 10);
 }
 
 // A tip anywhere across the rim of small elements: K is as near as on large elements alone, or nearer.

@@ -31,7 +31,7 @@ Mandel stress_at(const ElasticSolution& solution, const Vec2& place) {
     Mandel stress = Mandel::Zero();
     double nearest = 1e300;
     solution.structure.elements().for_each([&](const auto& op) {
-        const double distance = (centre(solution.scene.mesh, op.element) - place).norm();
+        const double distance = (centre(*solution.scene.mesh, op.element) - place).norm();
         if (distance >= nearest) return;
         nearest = distance;
         const auto local = gather(solution.u, op.unknowns);
@@ -64,8 +64,8 @@ TEST_P(LayersInSeries, AreExact) {
         return u;
     };
     const double largest = exact(12.0);
-    for (int n = 0; n < std::ssize(solution.scene.mesh.nodes); ++n) {
-        const Vec2& x = solution.scene.mesh.nodes[at(n)];
+    for (int n = 0; n < std::ssize(solution.scene.mesh->nodes); ++n) {
+        const Vec2& x = solution.scene.mesh->nodes[at(n)];
         EXPECT_NEAR(solution.u[solution.scene.enriched.unknown(n, 0, 1)], exact(x.y()), 1e-11 * largest);
         EXPECT_NEAR(solution.u[solution.scene.enriched.unknown(n, 0, 0)], 0.0, 1e-11 * largest);
     }
@@ -83,7 +83,7 @@ TEST(SeveralMaterials, PressedFacesInALayerBearTheStressOfTheBar) {
     input.fine.radius = 1.0;
     input.solver.tolerance = 1e-11;
     coarse::Scene scene = coarse::refined_scene(input);
-    const coarse::Structure structure(scene, ElementSet(scene.mesh.elements.size(), true));  // all is fine
+    const coarse::Structure structure(scene, ElementSet(scene.mesh->elements.size(), true));  // all is fine
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     fine::FineModel fine(scene.input);
     fine.set_patch(coarse::make_patch(scene, structure.in_zone(), structure.gamma(), zero));

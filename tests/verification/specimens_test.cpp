@@ -199,12 +199,12 @@ TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     EXPECT_NEAR(between_pins / plane_modulus, solution.scene.unit_force.dot(solution.u), 1e-12 * between_pins);
 
     const std::vector<int> all = coarse::elements_beyond(0.0, solution.structure, solution.u);
-    EXPECT_EQ(all.size() + solution.scene.mesh.insert.size(), solution.scene.mesh.elements.size());
-    for (const int element : all) EXPECT_FALSE(solution.scene.mesh.in_insert(element));
+    EXPECT_EQ(all.size() + solution.scene.mesh->insert.size(), solution.scene.mesh->elements.size());
+    for (const int element : all) EXPECT_FALSE(solution.scene.mesh->in_insert(element));
     coarse::Scene plastic = solution.scene;
     plastic.input.fine.radius = 10.0;
     const ElementSet zone = coarse::select_zone(plastic, {1.0});
-    for (const int element : plastic.mesh.insert) EXPECT_FALSE(zone.contains(element));
+    for (const int element : plastic.mesh->insert) EXPECT_FALSE(zone.contains(element));
     EXPECT_EQ(zone.count(), std::ssize(all));
 }
 

@@ -10,7 +10,7 @@
 
 namespace stria::fine {
 
-PointHistory::PointHistory(MaterialLaws laws, std::vector<int> material, const std::vector<ElementOperator>& operators)
+PointHistory::PointHistory(MaterialLaws laws, SharedList<int> material, const std::vector<ElementOperator>& operators)
     : laws_(std::move(laws)), material_(std::move(material)) {
     for (const auto& law : laws_) {
         state_size_ = std::max(state_size_, law->state_size());

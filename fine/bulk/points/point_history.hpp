@@ -8,6 +8,7 @@
 
 #include "common/index_set.hpp"
 #include "common/integration/element_operator.hpp"
+#include "common/shared_list.hpp"
 #include "fine/material/material_law.hpp"
 
 namespace stria::fine {
@@ -18,7 +19,7 @@ namespace stria::fine {
 class PointHistory {
 public:
     /// All zero. `laws`: one per material; `material`: of each element, empty: all are of material 0.
-    PointHistory(MaterialLaws laws, std::vector<int> material, const std::vector<ElementOperator>& operators);
+    PointHistory(MaterialLaws laws, SharedList<int> material, const std::vector<ElementOperator>& operators);
 
     [[nodiscard]] const MaterialLaw& law(int e) const { return *laws_[at(material_of(e))]; }
     /// Components of a state: those of the law with the most.
@@ -135,7 +136,7 @@ private:
     [[nodiscard]] int material_of(int e) const { return material_.empty() ? 0 : material_[at(e)]; }
 
     MaterialLaws laws_;
-    std::vector<int> material_;  // of each element
+    SharedList<int> material_;  // of each element
     int state_size_ = 0;
     bool can_yield_ = false;                        // some point
     std::vector<int> first_{0};                     // point of each element, and behind the last

@@ -35,7 +35,8 @@ EnrichedMesh small_mesh() {
                   .beyond = 0.125,
                   .material = 2}};
     mesh.tip_functions = 6;
-    mesh.terms = {{{Term::Kind::Heaviside, 0, 0, -1.0}, {Term::Kind::Tip, 0, 3, 0.7}}, {}, {}, {}};
+    mesh.terms = TermsOfNodes(4);
+    mesh.terms.of(0) = {{Term::Kind::Heaviside, 0, 0, -1.0}, {Term::Kind::Tip, 0, 3, 0.7}};
     mesh.element_side = {1};
     mesh.material = {3};
     mesh.first_unknown = {0, 6, 8, 10};
@@ -129,8 +130,8 @@ TEST(Wire, Patch) {
     EXPECT_EQ(copy.mesh.tips.at(0).beyond, 0.125);
     EXPECT_EQ(copy.mesh.tips[0].material, 2);
     EXPECT_EQ(copy.mesh.material, std::vector<int>{3});
-    EXPECT_EQ(copy.mesh.terms.at(0).at(1).kind, Term::Kind::Tip);
-    EXPECT_EQ(copy.mesh.terms.at(0).at(1).shift, 0.7);
+    EXPECT_EQ(copy.mesh.terms[0].at(1).kind, Term::Kind::Tip);
+    EXPECT_EQ(copy.mesh.terms[0].at(1).shift, 0.7);
     EXPECT_EQ(copy.mesh.element_side, small_mesh().element_side);
     EXPECT_EQ(copy.mesh.unknowns, 12);
     EXPECT_EQ(copy.boundary, small_patch().boundary);

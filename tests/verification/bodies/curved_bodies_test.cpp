@@ -57,8 +57,8 @@ Case quarter_case(double young, double poisson, double yield_stress, double larg
 
 /// At a node of the body that no zone holds, mm.
 Vec2 displacement_at(const coarse::Scene& scene, const Followed& increment, const Vec2& place) {
-    for (int n = 0; n < std::ssize(scene.mesh.nodes); ++n)
-        if ((scene.mesh.nodes[at(n)] - place).norm() < 1e-9) {
+    for (int n = 0; n < std::ssize(scene.mesh->nodes); ++n)
+        if ((scene.mesh->nodes[at(n)] - place).norm() < 1e-9) {
             const int unknown = scene.enriched.unknown(n, 0, 0);
             return increment.displacement.segment<2>(unknown);
         }

@@ -53,13 +53,14 @@ coarse::Scene strip_scene(const Case& input, double length, int levels) {
     coarse::Scene scene;
     scene.input = input;
     scene.materials = Materials(input);
-    scene.mesh = coarse::refine(std::move(mesh), {{tip, end, 0.45, levels, 0.15}}).mesh;
+    mesh = coarse::refine(mesh, {{tip, end, 0.45, levels, 0.15}}).mesh;
     const double h = thickness(levels);
-    scene.mesh.material.assign(scene.mesh.elements.size(), 1);
-    for (int e = 0; e < std::ssize(scene.mesh.elements); ++e) {
-        const Vec2 x = stria::centre(scene.mesh, e);
-        if (std::abs(x.y()) < h && x.x() > -4.0 * h && x.x() < end.x()) scene.mesh.material[at(e)] = 0;
+    mesh.material.assign(mesh.elements.size(), 1);
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const Vec2 x = stria::centre(mesh, e);
+        if (std::abs(x.y()) < h && x.x() > -4.0 * h && x.x() < end.x()) mesh.material[at(e)] = 0;
     }
+    scene.mesh = std::move(mesh);
     scene.enriched = coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input));
     coarse::put_loads_on_unknowns(scene);
     impose(scene, 1);

@@ -73,7 +73,7 @@ TEST_F(CommittedDisplacementOf, WhatIsFarMayWait) {
 TEST_F(CommittedDisplacementOf, WhatIsFarIsFoundWhereSomeOfItsElementsAreWanted) {
     commit(30.0);
     committed.catch_up_beside_far(equilibrium, mesh);
-    ElementSet near(scene.mesh.elements.size()), all = near;
+    ElementSet near(scene.mesh->elements.size()), all = near;
     for (int e = 0; e < near.size(); ++e) {
         all.insert(e);
         if (!structure.is_far(e)) near.insert(e);

@@ -37,7 +37,7 @@ protected:
         if (!own) made.nominal.reset();
         return std::make_unique<Scene>(std::move(made));
     }
-    [[nodiscard]] ElementSet nothing() const { return ElementSet(scene->mesh.elements.size()); }
+    [[nodiscard]] ElementSet nothing() const { return ElementSet(scene->mesh->elements.size()); }
     [[nodiscard]] double error_of_K() const {
         const double K = solve_nominal(*longer).tips.at(0).K_I;
         return std::abs(body.tips().at(0).K_I - K) / K;

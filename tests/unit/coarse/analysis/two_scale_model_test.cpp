@@ -104,7 +104,7 @@ TEST(TwoScaleModel, KeepsItsEquilibriumWhereTheZoneGrows) {
     const int outside = [&] {
         const auto is_loaded = [&](int node) { return scene.unit_force[scene.enriched.unknown(node, 0, 1)] > 0.0; };
         int e = 0;
-        while (pulled.body.in_zone().contains(e) || std::ranges::none_of(scene.mesh.elements[at(e)], is_loaded)) ++e;
+        while (pulled.body.in_zone().contains(e) || std::ranges::none_of(scene.mesh->elements[at(e)], is_loaded)) ++e;
         return e;
     }();
     LoadStep tried;

@@ -13,8 +13,8 @@ EnrichedMesh ending_at(double tip) { return test::cracked(test::square_mesh(8, 8
 
 int functions_left(const EnrichedMesh& mesh) {
     int count = 0;
-    for (const auto& terms : mesh.terms)
-        for (const Term& term : terms)
+    for (const int node : mesh.terms.nodes())
+        for (const Term& term : mesh.terms[at(node)])
             if (term.kind == Term::Kind::Left) ++count;
     return count;
 }

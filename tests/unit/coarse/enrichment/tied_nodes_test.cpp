@@ -22,7 +22,7 @@ protected:
         hanging_ = mesh.hanging;
         cracked_.nodes = mesh.nodes;
         cracked_.elements = mesh.elements;
-        cracked_.terms.resize(mesh.nodes.size());
+        cracked_.terms = TermsOfNodes(mesh.nodes.size());
         cracked_.element_side.assign(mesh.elements.size(), 0);
     }
 
@@ -30,7 +30,7 @@ protected:
         return static_cast<int>(std::ranges::find(cracked_.nodes, x) - cracked_.nodes.begin());
     }
     void jump_at(const Vec2& x, double side) {
-        cracked_.terms[at(node_at(x))].push_back({Term::Kind::Heaviside, 0, 0, side});
+        cracked_.terms.of(at(node_at(x))).push_back({Term::Kind::Heaviside, 0, 0, side});
     }
     /// A piece of a crack in the element, which comes in at a place and ends inside.
     void meet(int element, double place, int neighbour = -1) {

@@ -37,9 +37,9 @@ TEST(NominalSolution, KeepsRingsForAStructureBesideAZone) {
     input.mesh.width = input.mesh.height = 40.0;
     input.cracks[0].points = {{0.0, 20.2}, {7.3, 20.2}};
     const Scene scene = refined_scene(input);
-    ElementSet zone(scene.mesh.elements.size());
+    ElementSet zone(scene.mesh->elements.size());
     for (int e = 0; e < zone.size(); ++e)
-        if ((scene.mesh.nodes[at(scene.mesh.elements[at(e)][0])] - Vec2(7.3, 20.2)).norm() < 4.0) zone.insert(e);
+        if ((scene.mesh->nodes[at(scene.mesh->elements[at(e)][0])] - Vec2(7.3, 20.2)).norm() < 4.0) zone.insert(e);
     const NominalSolution whole = solve_nominal(scene),
                           near = solve_nominal_near(std::make_unique<Structure>(scene), zone);
     EXPECT_NEAR(near.tips[0].K_I, whole.tips[0].K_I, 1e-10 * whole.tips[0].K_I);

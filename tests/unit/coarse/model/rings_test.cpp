@@ -39,10 +39,10 @@ TEST(Rings, AreNoLongerThanFortyElementsOfABodyWhoseCrackGrows) {
     input.growth = GrowthSection{.increment = 0.25};
     const Scene scene = refined_scene(input);
     double longest = 0.0;
-    for (const auto& element : scene.mesh.elements)
+    for (const auto& element : scene.mesh->elements)
         for (std::size_t k = 0; k < 4; ++k)
-            longest = std::max(longest,
-                               (scene.mesh.nodes[at(element[k])] - scene.mesh.nodes[at(element[(k + 1) % 4])]).norm());
+            longest = std::max(
+                longest, (scene.mesh->nodes[at(element[k])] - scene.mesh->nodes[at(element[(k + 1) % 4])]).norm());
     EXPECT_LT(40.0 * longest, 0.8 * 7.3);
     EXPECT_NEAR(largest_ring(scene, 0), 40.0 * longest, 1e-12);
     EXPECT_NEAR(largest_ring(cracked_plate(size, false), 0), 0.95 * 7.3,

@@ -21,9 +21,9 @@ double displacement_of(const Case& input) {
     const auto is_tied = [&](int node) {
         return std::ranges::any_of(scene.enriched.tied, [&](const TiedNode& tied) { return tied.node == node; });
     };
-    for (int node = 0; node < std::ssize(scene.mesh.nodes); ++node) {
+    for (int node = 0; node < std::ssize(scene.mesh->nodes); ++node) {
         if (is_tied(node)) continue;
-        const Vec2& x = scene.mesh.nodes.at(static_cast<std::size_t>(node));
+        const Vec2& x = scene.mesh->nodes.at(static_cast<std::size_t>(node));
         u[scene.enriched.unknown(node, 0, 1)] = 1e-3 * (1.0 + 3.0 * x.x() + 0.5 * x.y());
     }
     return scene.mean_displacement.dot(u);

@@ -58,12 +58,12 @@ TEST_F(Factors, ElementsInTheMiddleStayUntilOneHasToBeInTheCore) {
     const StillElements anew = still_elements(scene, reaches, still);
     EXPECT_NE(anew.middle, middle);
     EXPECT_EQ(anew, still_elements(scene, reaches, {.far = anew.far, .middle = {}}));
-    NodeSet of_zone(scene.mesh.nodes.size());
+    NodeSet of_zone(scene.mesh->nodes.size());
     for (const int e : reaches.members())
-        for (const int node : scene.mesh.elements[at(e)]) of_zone.insert(node);
+        for (const int node : scene.mesh->elements[at(e)]) of_zone.insert(node);
     for (const int e : anew.middle.members()) {
         EXPECT_FALSE(reaches.contains(e) || anew.far.contains(e) || !is_plain(scene.enriched, e)) << e;
-        for (const int node : scene.mesh.elements[at(e)]) EXPECT_FALSE(of_zone.contains(node)) << e;
+        for (const int node : scene.mesh->elements[at(e)]) EXPECT_FALSE(of_zone.contains(node)) << e;
     }
 }
 
@@ -156,14 +156,14 @@ TEST_F(Factors, WhatIsBehindIsNotAboutASplit) {
     ElementSet soon(zone.size());
     soon.insert(all.members().front());
     const NodeSet corners = [&] {
-        NodeSet nodes(scene.mesh.nodes.size());
-        for (const int node : scene.mesh.elements[at(soon.members().front())]) nodes.insert(node);
+        NodeSet nodes(scene.mesh->nodes.size());
+        for (const int node : scene.mesh->elements[at(soon.members().front())]) nodes.insert(node);
         return nodes;
     }();
     const ElementSet behind = elements_behind(scene, still, soon);
     EXPECT_FALSE(behind.none());
     for (const int e : behind.members())
-        for (const int node : scene.mesh.elements[at(e)]) EXPECT_FALSE(corners.contains(node)) << e;
+        for (const int node : scene.mesh->elements[at(e)]) EXPECT_FALSE(corners.contains(node)) << e;
 }
 
 // It would be another one as soon as the tip has moved, and they would be factored anew.

@@ -26,9 +26,9 @@ protected:
     }
 
     static ElementSet zone_of(const Scene& scene) {
-        ElementSet zone(scene.mesh.elements.size());
+        ElementSet zone(scene.mesh->elements.size());
         for (int e = 0; e < zone.size(); ++e)
-            if ((centre(scene.mesh, e) - Vec2(7.3, 20.2)).norm() < 1.5) zone.insert(e);
+            if ((centre(*scene.mesh, e) - Vec2(7.3, 20.2)).norm() < 1.5) zone.insert(e);
         return zone;
     }
 
@@ -51,9 +51,9 @@ protected:
         std::uniform_real_distribution<double> any(-1.0, 1.0);
         const Eigen::Matrix2d gradient = Eigen::Matrix2d::NullaryExpr([&] { return 1e-3 * any(generator); });
         Eigen::VectorXd u = Eigen::VectorXd::Zero(scene.enriched.unknowns);
-        for (std::size_t n = 0; n < scene.mesh.nodes.size(); ++n)
+        for (std::size_t n = 0; n < scene.mesh->nodes.size(); ++n)
             u.segment<2>(scene.enriched.unknown(static_cast<int>(n), 0, 0)) =
-                gradient * (scene.mesh.nodes[n] - Vec2(7.3, 20.2));
+                gradient * (scene.mesh->nodes[n] - Vec2(7.3, 20.2));
         Eigen::VectorXd gamma = gather(u, structure.gamma());
         for (double& value : gamma) value += rough * any(generator);
         return gamma;

@@ -39,7 +39,7 @@ TEST(TipRefinement, CountsWhatAWayTakes) {
     const Scene scene = refined_scene(growing_plate());
     const ElementsOfAWay none = elements_after(scene, K_of(scene), 0.0), two = elements_after(scene, K_of(scene), 2.0),
                          four = elements_after(scene, K_of(scene), 4.0);
-    EXPECT_NEAR(none.all, static_cast<double>(scene.mesh.elements.size()), 0.03 * none.all);  // K of another mesh
+    EXPECT_NEAR(none.all, static_cast<double>(scene.mesh->elements.size()), 0.03 * none.all);  // K of another mesh
     EXPECT_GT(two.split, none.split);
     EXPECT_NEAR(four.all - two.all, two.all - none.all, 0.25 * (two.all - none.all));
 }
@@ -48,15 +48,15 @@ TEST(TipRefinement, ReachesWhatFlows) {
     const Scene scene = refined_scene(growing_plate());
     const Vec2 tip = scene.enriched.tips[0].position, place = tip + Vec2(3.0, 2.0);
     int flowing = 0;
-    for (int e = 0; e < std::ssize(scene.mesh.elements); ++e)
-        if ((centre(scene.mesh, e) - place).norm() < (centre(scene.mesh, flowing) - place).norm()) flowing = e;
-    const ElementSet nothing(scene.mesh.elements.size());
+    for (int e = 0; e < std::ssize(scene.mesh->elements); ++e)
+        if ((centre(*scene.mesh, e) - place).norm() < (centre(*scene.mesh, flowing) - place).norm()) flowing = e;
+    const ElementSet nothing(scene.mesh->elements.size());
     EXPECT_EQ(disks_about_flow(scene, {flowing}, nothing).at(0).radius, 0.0) << "flow elsewhere";
     ElementSet between = nothing;
-    for (int e = 0; e < std::ssize(scene.mesh.elements); ++e)
-        if (centre(scene.mesh, e).y() > tip.y() && (centre(scene.mesh, e) - tip).norm() < 3.0) between.insert(e);
+    for (int e = 0; e < std::ssize(scene.mesh->elements); ++e)
+        if (centre(*scene.mesh, e).y() > tip.y() && (centre(*scene.mesh, e) - tip).norm() < 3.0) between.insert(e);
     const std::vector<RefinedDisk> disks = disks_about_flow(scene, {flowing}, between);
-    EXPECT_DOUBLE_EQ(disks.at(0).radius, (centre(scene.mesh, flowing) - tip).norm());
+    EXPECT_DOUBLE_EQ(disks.at(0).radius, (centre(*scene.mesh, flowing) - tip).norm());
     const Mesh finer = refine(scene.mesh, disks).mesh;
     const auto& n = finer.elements[at(flowing)];
     EXPECT_LE((finer.nodes[at(n[1])] - finer.nodes[at(n[0])]).norm(), 0.25 * disks[0].radius);

@@ -85,7 +85,7 @@ TEST(YieldGuard, FindsWhatYieldsFarFromTheTip) {
     const Scene scene = refined_scene(input);
     int far_in_zone = 0;
     for (const int e : forces.in_zone.members())
-        if (scene.mesh.nodes[at(scene.mesh.elements[at(e)][0])].x() > 30.0) ++far_in_zone;
+        if (scene.mesh->nodes[at(scene.mesh->elements[at(e)][0])].x() > 30.0) ++far_in_zone;
     EXPECT_GT(far_in_zone, 0);
 }
 
