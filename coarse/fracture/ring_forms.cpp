@@ -135,7 +135,7 @@ void RingForms::find_forms(const CoarseElements& elements, Part& part) const {
     const Tip& about = scene.enriched.tips[at(tip_)];
     const AuxiliaryFields auxiliary(about, scene.elastic(about));
     constexpr std::size_t most_values = 8;  // of most elements in a ring
-    part.forms.reserve(most_values * (3 * part.weights.entries() + part.weights.elements().size()));
+    part.forms.reserve(3 * (most_values + 1) * part.weights.entries() + most_values * part.weights.elements().size());
     elements.for_each(part.weights.elements(), [&](const auto& op) { append_forms(op, auxiliary, scene, part); });
 }
 

@@ -14,12 +14,13 @@ std::vector<AppliedForce> forces_that_read(const std::vector<NodalWeight>& mean,
     return forces;
 }
 
-/// Those of nodal displacements. What a jump adds between the nodes beside a mouth is a zone's own, and no equilibrium
-/// but that of one matrix could weigh it.
-Eigen::VectorXd without_jumps(const EnrichedMesh& enriched, Eigen::VectorXd weights) {
-    for (Eigen::Index unknown = 0; unknown < weights.size(); ++unknown)
-        if (weights[unknown] != 0.0 && !enriched.is_standard(static_cast<int>(unknown))) weights[unknown] = 0.0;
-    return weights;
+/// Forces over their sum, as weights of nodal displacements. What a jump adds between the nodes beside a mouth is a
+/// zone's own, and no equilibrium but that of one matrix could weigh it.
+Eigen::VectorXd without_jumps(const EnrichedMesh& enriched, Eigen::VectorXd forces, double sum) {
+    for (Eigen::Index unknown = 0; unknown < forces.size(); ++unknown)
+        if (forces[unknown] != 0.0)
+            forces[unknown] = enriched.is_standard(static_cast<int>(unknown)) ? forces[unknown] / sum : 0.0;
+    return forces;
 }
 
 }  // namespace
@@ -29,17 +30,17 @@ Eigen::VectorXd without_jumps(const EnrichedMesh& enriched, Eigen::VectorXd weig
 Eigen::VectorXd weights_of_displacement(const std::optional<LoadedBoundary>& loaded, const Mesh& mesh,
                                         const EnrichedMesh& enriched, const ForcesOnUnknowns& forces,
                                         const LoadsOfCase& loads) {
-    Eigen::VectorXd weights = Eigen::VectorXd::Zero(enriched.unknowns);
-    if (!loaded || !loaded->has_direction()) return weights;
+    if (!loaded || !loaded->has_direction()) return Eigen::VectorXd::Zero(enriched.unknowns);
     const std::vector<NodalWeight> mean = mean_displacement(mesh, *loaded);
     if (loaded->by_force && loaded->force > 0.0) {
         const bool is_pin = mesh.pins.contains(loaded->name);
         const std::vector<AppliedForce> there =
             is_pin ? forces_that_read(mean, mesh) : applied_forces(mesh, loaded->acting);
         if (is_left_free(there, mesh, loads.main))
-            return without_jumps(enriched, forces.of(loads.of(loaded->load_case)) / loaded->pull);
-        if (!is_pin) return without_jumps(enriched, forces.of(loaded->acting) / loaded->force);
+            return without_jumps(enriched, forces.of(loads.of(loaded->load_case)), loaded->pull);
+        if (!is_pin) return without_jumps(enriched, forces.of(loaded->acting), loaded->force);
     }
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(enriched.unknowns);
     for (const auto& [node, weight] : mean) weights.segment<2>(enriched.unknown(node, 0, 0)) += weight;
     return weights;
 }

@@ -64,6 +64,14 @@ std::vector<double> longest_edges(const BodyMesh& mesh, const Tip& tip, std::spa
     return longest;
 }
 
+/// Of the edges in each ring; where the body's longest one is small enough for all of them it serves.
+std::vector<double> sizes_for(const Scene& scene, int tip, std::span<const Annulus> rings) {
+    const double longest = scene.mesh.longest_edge();
+    const auto is_thick = [&](const Annulus& ring) { return ring.outer - ring.inner >= elements_across * longest; };
+    if (std::ranges::all_of(rings, is_thick)) return std::vector<double>(rings.size(), longest);
+    return longest_edges(scene.mesh, scene.enriched.tips[at(tip)], rings);
+}
+
 }  // namespace
 
 double largest_ring_of_one_metal(const Scene& scene, int tip) {
@@ -112,7 +120,7 @@ std::vector<Annulus> rings_about(const Scene& scene, int tip) {
     const double of_one_metal = largest_ring_of_one_metal(scene, tip);
     const bool one_metal = radius <= of_one_metal;
     for (Annulus& ring : all) ring = {ring.inner * radius, ring.outer * radius, one_metal};
-    const std::vector<double> sizes = longest_edges(scene.mesh, scene.enriched.tips[at(tip)], all);
+    const std::vector<double> sizes = sizes_for(scene, tip, all);
     std::vector<Annulus> rings;
     if (!one_metal && tells_J(scene, tip)) rings.push_back({family[0].inner * of_one_metal, of_one_metal});
     const std::size_t first = rings.size();

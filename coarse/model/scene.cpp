@@ -111,9 +111,13 @@ Scene with_functions_left(Scene scene, const EnrichedMesh& before) {
 
 std::unique_ptr<Scene> nominal_scene(const Scene& scene) {
     if (!scene.nominal) return nullptr;
-    auto nominal = std::make_unique<Scene>(scene);
+    auto nominal = std::make_unique<Scene>();
+    nominal->input = scene.input;
+    nominal->mesh = scene.mesh;
+    nominal->materials = scene.materials;
+    nominal->loads = scene.loads;
+    nominal->free_motions = scene.free_motions;
     nominal->enriched = *scene.nominal;
-    nominal->nominal.reset();
     nominal->is_nominal = true;
     put_loads_on_unknowns(*nominal);
     return nominal;

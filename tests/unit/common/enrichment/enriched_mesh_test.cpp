@@ -11,6 +11,42 @@
 namespace stria::test {
 namespace {
 
+// With hanging nodes, some of which have jumps of their own alone, and functions that many nodes share.
+TEST(NodesOfUnknowns, AreThoseThatTheyAreNumberedBy) {
+    const Mesh finer = coarse::refine(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
+    int gathered = 0, jumps_alone = 0;
+    for (const Mesh& body : {square_mesh(16), finer}) {
+        for (double y = 0.26; y < 0.7; y += 0.017) {
+            const EnrichedMesh mesh = cracked(body, {{-1.0, y}, {0.55, y}}, {4, 0.5, coarse::TipSupport::Gathered, {}});
+            for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
+                const bool shared = term > 0 && mesh.terms[at(node)][at(term - 1)].kind == Term::Kind::Gathered;
+                for (const int c : {0, 1}) {
+                    EXPECT_EQ(mesh.node_of(unknown + c), shared ? -1 : node) << node << " " << term;
+                    EXPECT_EQ(mesh.is_standard(unknown + c), term == 0) << node << " " << term;
+                }
+                gathered += shared ? 1 : 0;
+                jumps_alone += mesh.tie(node) != nullptr ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(gathered, 0);
+    EXPECT_GT(jumps_alone, 0);
+}
+
+TEST(TermsOfNodes, AreEmptyButOfFewNodes) {
+    TermsOfNodes terms(5);
+    terms.of(3).push_back({Term::Kind::Heaviside, 0, 0, 1.0});
+    terms.of(1).push_back({Term::Kind::Tip, 0, 2, 0.5});
+    EXPECT_TRUE(terms.of(4).empty());
+    EXPECT_EQ(terms.size(), 5U);
+    EXPECT_EQ(terms.nodes(), (std::vector{1, 3}));
+    EXPECT_EQ(terms[1].at(0).function, 2);
+    EXPECT_TRUE(terms[0].empty());
+    const TermsOfNodes again = terms.lists();
+    EXPECT_EQ(again.nodes(), terms.nodes());
+    EXPECT_EQ(again[3].at(0).shift, 1.0);
+}
+
 // With hanging nodes, which follow, and with and without functions of a tip, which goes elsewhere.
 TEST(SameUnknowns, AreThoseOfTheSameNodeAndFunction) {
     const Mesh body = coarse::refine(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
