@@ -5,8 +5,8 @@
 
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/model/rings.hpp"
+#include "common/fem/elements_about.hpp"
 #include "common/index.hpp"
-#include "common/integration/plain_operator.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -64,14 +64,6 @@ Neighbourhood with_room(const Scene& scene, int tip, const NodeSet& nodes_of_zon
     return {std::max(radius, reach_of_zone(scene.enriched, tip, nodes_of_zone)) + room, room};
 }
 
-/// Calls visit(element) for elements with some of the nodes as corners, once a corner.
-template <class Visit> void for_each_about(const BodyMesh& mesh, const NodeSet& nodes, const Visit& visit) {
-    for (const int node : nodes.members())
-        for (const int element : mesh.around()[at(node)])
-            if (std::ranges::find(mesh->elements[at(element)], node) != mesh->elements[at(element)].end())
-                visit(element);
-}
-
 /// Nodes about which elements are not plain, in the body or in the nominal one.
 NodeSet nodes_with_functions(const Scene& scene) {
     NodeSet nodes(scene.enriched.nodes.size());
@@ -86,7 +78,7 @@ NodeSet nodes_with_functions(const Scene& scene) {
 ElementSet near_about(const Scene& scene, const ElementSet& in_zone, NodeSet nodes) {
     ElementSet near(in_zone.size());
     nodes |= nodes_with_functions(scene);
-    for_each_about(scene.mesh, nodes, [&](int e) {
+    for_each_about(scene.mesh, nodes.members(), [&](int e) {
         if (!in_zone.contains(e)) near.insert(e);
     });
     return near;
@@ -139,7 +131,7 @@ NodeSet nodes_about_splits(const BodyMesh& body, const EnrichedMesh& mesh, const
     for (const TiedNode& tie : mesh.tied)
         if (contains_any(corners, tie.ends)) changing.insert(tie.node);
     NodeSet about(mesh.nodes.size());
-    for_each_about(body, changing, [&](int element) {
+    for_each_about(body, changing.members(), [&](int element) {
         for (const int node : body->elements[at(element)]) about.insert(node);
     });
     return about;

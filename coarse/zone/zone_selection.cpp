@@ -10,6 +10,7 @@
 #include "common/case/case_questions.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/fem/centre.hpp"
+#include "common/fem/elements_about.hpp"
 #include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
 #include "common/memory.hpp"
@@ -23,14 +24,6 @@ template <class IsWanted> std::vector<int> nodes_with(const EnrichedMesh& mesh, 
     for (const int node : mesh.terms.nodes())
         if (std::ranges::any_of(mesh.terms[at(node)], is_wanted)) nodes.push_back(node);
     return nodes;
-}
-
-/// Calls visit(element) for those that have some of the nodes as corners.
-template <class Visit> void for_each_about(const BodyMesh& mesh, const std::vector<int>& nodes, const Visit& visit) {
-    for (const int node : nodes)
-        for (const int element : mesh.around()[at(node)])
-            if (std::ranges::find(mesh->elements[at(element)], node) != mesh->elements[at(element)].end())
-                visit(element);
 }
 
 /// Unknowns of tip functions are the zone's own, however small the disk (full compression: none). A K that no ring
