@@ -44,19 +44,23 @@ struct RunHistory {
     std::int64_t full_checks = 0, checks_by_bound = 0;
     bool life_is_over = false;
 
-    [[nodiscard]] const Followed& at_load(double factor) const {  // for the first time
+    [[nodiscard]] const Followed& at_load(double factor) const& {  // for the first time
         for (const Followed& increment : increments) {
             if (increment.load_factor == factor) return increment;
         }
         throw std::out_of_range("no increment at this load");
     }
     /// The first of them at the largest load.
-    [[nodiscard]] const Followed& at_maximum() const {
+    [[nodiscard]] const Followed& at_maximum() const& {
         return *std::ranges::max_element(increments, {}, &Followed::load_factor);
     }
-    [[nodiscard]] const Followed& at_minimum() const {
+    [[nodiscard]] const Followed& at_minimum() const& {
         return *std::ranges::min_element(increments, {}, &Followed::load_factor);
     }
+    // Copies, where the history ends with the statement: loops over a part of one read freed memory.
+    [[nodiscard]] Followed at_load(double factor) && { return std::as_const(*this).at_load(factor); }
+    [[nodiscard]] Followed at_maximum() && { return std::as_const(*this).at_maximum(); }
+    [[nodiscard]] Followed at_minimum() && { return std::as_const(*this).at_minimum(); }
 };
 
 /// As small along the line from one point to another as the case wants it about its tip (fine.refine).
