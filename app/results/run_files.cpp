@@ -52,7 +52,7 @@ bool holds_study(const std::filesystem::path& folder) {
 }
 
 void remove_study(const std::filesystem::path& folder) {
-    for (const char* file : {study_table, study_page}) std::filesystem::remove(folder / file);
+    for (const char* file : {study_table, study_page, convergence_table}) std::filesystem::remove(folder / file);
 }
 
 JsonObject read_json(const std::filesystem::path& path) {

@@ -28,8 +28,9 @@ std::string read_text(const std::filesystem::path& path);
 /// In the folder of a study.
 inline constexpr const char* study_table = "study.csv";
 inline constexpr const char* study_page = "study.html";
+inline constexpr const char* convergence_table = "convergence.csv";
 [[nodiscard]] bool holds_study(const std::filesystem::path& folder);
-/// Its table and its page; the runs that it has made stay.
+/// Its tables and its page; the runs that it has made stay.
 void remove_study(const std::filesystem::path& folder);
 
 /// Empty where there is no such file or it holds no JSON object.

@@ -79,9 +79,7 @@ std::vector<Curve> curves_along(const Report& report, std::size_t along, const N
                                 bool name_points = false) {
     std::vector<Curve> curves;
     for (const Row& row : report.rows) {
-        Settings others = row.settings;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(along));
-        const std::string name = to_text(others);
+        const std::string name = to_text(without(row.settings, along));
         auto curve = std::ranges::find(curves, name, &Curve::name);
         if (curve == curves.end()) curve = curves.insert(curves.end(), {.name = name});
         curve->x.push_back(x(row));

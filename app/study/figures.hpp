@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/charts/page.hpp"
-#include "app/study/table.hpp"
+#include "app/study/variants/table.hpp"
 
 namespace stria::study {
 

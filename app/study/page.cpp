@@ -7,6 +7,7 @@
 
 #include "app/charts/drawing.hpp"
 #include "app/charts/page.hpp"
+#include "app/study/convergence/convergence_table.hpp"
 #include "app/study/figures.hpp"
 
 namespace stria::study {
@@ -123,6 +124,7 @@ std::string introduction(const Report& report) {
 std::string page(const Report& report) {
     std::string body = introduction(report) + complaints(report);
     for (charts::Figure& figure : figures(report)) body += section(std::move(figure));
+    body += convergence_section(convergence_rows(report));
     return charts::page(report.title, body + "<h2>Variants</h2>\n" + table_of(report));
 }
 

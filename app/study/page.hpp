@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/study/table.hpp"
+#include "app/study/variants/table.hpp"
 
 namespace stria::study {
 

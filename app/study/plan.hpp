@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/run/run_options.hpp"
-#include "app/study/table.hpp"
+#include "app/study/variants/table.hpp"
 
 namespace stria::study {
 

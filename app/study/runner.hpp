@@ -11,7 +11,7 @@
 
 #include "app/process/children.hpp"
 #include "app/run/run_options.hpp"
-#include "app/study/table.hpp"
+#include "app/study/variants/table.hpp"
 
 namespace stria::study {
 

@@ -10,6 +10,7 @@
 #include "app/results/run_files.hpp"
 #include "app/run/run_lock.hpp"
 #include "app/study/commands.hpp"
+#include "app/study/convergence/convergence_table.hpp"
 #include "app/study/page.hpp"
 #include "app/study/plan.hpp"
 #include "app/study/runner.hpp"
@@ -78,6 +79,18 @@ Report report_of(const StudyOptions& options, const Plan& plan) {
             .reference = reference};
 }
 
+/// No table where no axis is one of sizes.
+void write_convergence(const std::filesystem::path& path, const std::vector<ConvergenceRow>& rows) {
+    if (rows.empty()) {
+        std::filesystem::remove(path);
+        return;
+    }
+    write_whole(path, [&](const std::filesystem::path& file) {
+        CsvWriter table(file, convergence_columns());
+        for (const ConvergenceRow& row : rows) table.row(cells(row));
+    });
+}
+
 /// As far as the study has come.
 void write_results(const StudyOptions& options, Plan& plan) {
     const std::filesystem::path folder = options.run.output_directory;
@@ -87,7 +100,14 @@ void write_results(const StudyOptions& options, Plan& plan) {
         CsvWriter table(file, columns(plan.axes, plan.with_errors));
         for (const Row& row : plan.variants) table.row(cells(row, plan.with_errors));
     });
-    write_whole_text(folder / study_page, page(report_of(options, plan)));
+    const Report report = report_of(options, plan);
+    write_convergence(folder / convergence_table, convergence_rows(report));
+    write_whole_text(folder / study_page, page(report));
+}
+
+void say_results(const StudyOptions& options, const Plan& plan) {
+    for (const ConvergenceRow& row : convergence_rows(report_of(options, plan))) fmt::print("{}\n", sentence(row));
+    fmt::print("table and charts in {}/study.csv and study.html\n", options.run.output_directory);
 }
 
 /// What is compared with comes first: errors are known as soon as a variant is done.
@@ -125,8 +145,7 @@ int run_study(StudyOptions options) {
     Runner runner(options.run, options.resume, options.jobs);
     runner.run(rows, [&] { write_results(options, plan); });
     write_results(options, plan);
-    if (!options.run.quiet)
-        fmt::print("table and charts in {}/study.csv and study.html\n", options.run.output_directory);
+    if (!options.run.quiet) say_results(options, plan);
     return worst_code(rows, runner.interrupted());
 }
 

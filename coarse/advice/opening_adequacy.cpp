@@ -193,7 +193,8 @@ std::optional<std::string> life_in_stress_warning(const Scene& scene, std::size_
     return fmt::format(
         "tip {}: in plane stress opening loads fall with the size of elements, to the last. Where faces close the life "
         "on elements of {:.3g} mm, {:.2g} of the forward plastic zone, is too long by up to about {:.2g} %: a second "
-        "run on elements half as large{} has half of that error, and twice its N less this one's a few percent",
+        "run on elements half as large{} has half of that error, and twice its N less this one's a few percent: "
+        "stria study tells both",
         t, at_tip.edge, at_tip.edge / zone, 100.0 * too_long, by);
 }
 

@@ -72,6 +72,35 @@ TEST_F(Study, RunsEveryCombinationAndComparesItWithItsReference) {
     EXPECT_NEAR(rows["error_J"][3], std::abs(rows["J"][3] / J - 1.0), 1e-12);
 }
 
+// Three sizes tell of a fourth within their uncertainty, and of elements half as large again nearer than the smallest.
+TEST_F(Study, SaysHowFarResultsAreFromConverged) {
+    const auto K_row = [&](const std::string& sizes) {
+        EXPECT_EQ(run({"--over", "mesh.size=" + sizes, "--mode", "inprocess", "--no-report", "--force"}), 0) << said();
+        std::ifstream file(folder / "out/convergence.csv");
+        std::string line;
+        while (std::getline(file, line) && !line.starts_with("K_I,")) {
+        }
+        std::vector<std::string> row;
+        std::istringstream text(line);
+        for (std::string cell; std::getline(text, cell, ',');) row.push_back(cell);
+        return row;
+    };
+    const std::vector<std::string> row = K_row("2,4,1");
+    ASSERT_EQ(row.size(), 10U) << said();
+    EXPECT_EQ(row[4] + row[5], "3monotone");
+    const double on_1 = std::stod(row[6]), order = std::stod(row[7]), limit = std::stod(row[8]),
+                 band = std::stod(row[9]);
+    const double on_half = std::stod(K_row("0.5,1").at(6));
+    EXPECT_NEAR(order, 2.0, 0.4);
+    EXPECT_LT(std::abs(on_half - on_1), band);
+    EXPECT_LT(std::abs(limit - on_half), 0.5 * std::abs(on_1 - on_half));
+    EXPECT_EQ(said().find("K_I: "), said().rfind("K_I: "));
+    EXPECT_NE(said().find("in the limit by first order"), std::string::npos) << said();
+    EXPECT_NE(text_of(folder / "out/study.html").find("Convergence with the size of elements"), std::string::npos);
+    ASSERT_EQ(run({"--over", "load.scale=1,2", "--mode", "inprocess", "--no-report", "--force"}), 0) << said();
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/convergence.csv"));
+}
+
 TEST_F(Study, LeavesAPageThatNeedsNothingElse) {
     ASSERT_EQ(run({"--over", "mesh.size=4,2", "--mode", "mpi,inprocess", "--reference-value", "K_I=100"}), 0) << said();
     const std::string page = text_of(folder / "out/study.html");

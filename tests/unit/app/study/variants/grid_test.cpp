@@ -1,5 +1,5 @@
 // Axes, combinations and names of a study.
-#include "app/study/grid.hpp"
+#include "app/study/variants/grid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a study reads of a run, how it compares runs, and the row it makes of one.
-#include "app/study/outcome.hpp"
+#include "app/study/variants/outcome.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "app/results/run_files.hpp"
-#include "app/study/table.hpp"
+#include "app/study/variants/table.hpp"
 #include "common/index.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/temporary_folder.hpp"

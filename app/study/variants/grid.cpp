@@ -1,4 +1,4 @@
-#include "app/study/grid.hpp"
+#include "app/study/variants/grid.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -143,6 +143,11 @@ Settings replaced(Settings settings, const Settings& by) {
         else
             settings.push_back(setting);
     }
+    return settings;
+}
+
+Settings without(Settings settings, std::size_t axis) {
+    settings.erase(settings.begin() + static_cast<std::ptrdiff_t>(axis));
     return settings;
 }
 

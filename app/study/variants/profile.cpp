@@ -1,4 +1,4 @@
-#include "app/study/profile.hpp"
+#include "app/study/variants/profile.hpp"
 
 #include <algorithm>
 #include <cmath>

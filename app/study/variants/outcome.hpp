@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "app/study/profile.hpp"
+#include "app/study/variants/profile.hpp"
 #include "coarse/results/run_status.hpp"
 
 namespace stria::study {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/study/grid.hpp"
-#include "app/study/outcome.hpp"
+#include "app/study/variants/grid.hpp"
+#include "app/study/variants/outcome.hpp"
 #include "common/io/csv.hpp"
 
 namespace stria::study {

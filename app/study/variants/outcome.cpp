@@ -1,4 +1,4 @@
-#include "app/study/outcome.hpp"
+#include "app/study/variants/outcome.hpp"
 
 #include <algorithm>
 #include <array>

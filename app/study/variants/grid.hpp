@@ -46,6 +46,9 @@ std::vector<Settings> combinations(const std::vector<Axis>& axes);
 /// `settings` with the values of `by` where their keys agree; keys only in `by` follow.
 Settings replaced(Settings settings, const Settings& by);
 
+/// On the other axes.
+Settings without(Settings settings, std::size_t axis);
+
 /// "fine.beta=4, mesh.size=2"
 std::string to_text(const Settings& settings);
 

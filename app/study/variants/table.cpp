@@ -1,4 +1,4 @@
-#include "app/study/table.hpp"
+#include "app/study/variants/table.hpp"
 
 #include <limits>
 
