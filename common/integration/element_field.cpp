@@ -41,13 +41,20 @@ FieldAtNode::FieldAtNode(const Vec2& x, const std::vector<Term>& terms) : x_(x) 
 void FieldAtNode::add(const ElementField& element) {
     if (element.is_cut()) {
         for (const int side : {-1, 1}) sides_[side > 0 ? 1 : 0] = element.on_side(x_, side);
-        standard_ = sides_[(own_side_ != 0 ? own_side_ : element.side_of(x_)) > 0 ? 1 : 0];
+        if (own_side_ == 0) without_jump_ = sides_[element.side_of(x_) > 0 ? 1 : 0];
         return;
     }
     const int side = element.own_side();
     Shares shares = element.on_side(x_, side);
-    if (side == 0 || own_side_ == 0 || side == own_side_) standard_ = shares;
-    if (side != 0) sides_[side > 0 ? 1 : 0] = std::move(shares);
+    if (side != 0) sides_[side > 0 ? 1 : 0] = shares;
+    if (side == 0 || own_side_ == 0) without_jump_ = std::move(shares);
+}
+
+// Beside a cut element one that is not cut tells of the side that it lies on. Where a crack is carried along it may be
+// the other one.
+const std::optional<Shares>& FieldAtNode::standard() const {
+    const std::optional<Shares>& own = sides_[own_side_ > 0 ? 1 : 0];
+    return own_side_ != 0 && own ? own : without_jump_;
 }
 
 std::optional<Shares> FieldAtNode::half_jump() const {

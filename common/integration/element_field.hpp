@@ -48,14 +48,15 @@ public:
 
     void add(const ElementField& element);
 
-    [[nodiscard]] const std::optional<Shares>& standard() const { return standard_; }
+    /// On the node's own side where elements tell that apart. Nothing where none tells.
+    [[nodiscard]] const std::optional<Shares>& standard() const;
     /// Half of the jump: the amplitude of a Heaviside term. Nothing where only one side is known.
     [[nodiscard]] std::optional<Shares> half_jump() const;
 
 private:
     Vec2 x_;
     int own_side_ = 0;  // of a node that jumps
-    std::optional<Shares> standard_;
+    std::optional<Shares> without_jump_;
     std::array<std::optional<Shares>, 2> sides_;  // minus, plus
 };
 

@@ -35,7 +35,7 @@ double gradient_energy(const ElementOperator& op, int function) {
 
 SoftJumps::SoftJumps(const BulkElements& elements, const std::vector<int>& boundary, double tolerance)
     : tolerance_(tolerance), in_(at(elements.count())) {
-    constexpr double soft = 1.0;  // a third of a row of squares beyond the crack: functions jump by two
+    constexpr double soft = 2.0;  // 0.57 of a row of squares beyond the crack: functions jump by two
     const UnknownSet candidates = own_jumps(elements.mesh(), boundary);
     std::vector<double> energy(at(elements.mesh().unknowns));
     std::vector<std::vector<int>> around(energy.size());

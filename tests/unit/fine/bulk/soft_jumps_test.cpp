@@ -39,12 +39,13 @@ std::set<double> heights(double t, const std::vector<int>& boundary = {}) {
 }
 
 // On the strip of a height t below the crack the functions of the nodes above it, which jump by two, have 8/3 (t +
-// t^3), on what is above it those of the nodes below have 8/3 (s + s^3), s = 1 - t: one at 0.3369.
+// t^3), on what is above it those of the nodes below have 8/3 (s + s^3), s = 1 - t: two at 0.5674.
 TEST(SoftJumps, AreThoseWhoseFunctionsStrainLittleOfTheBody) {
     EXPECT_EQ(heights(0.01), std::set<double>{0.625});
-    EXPECT_EQ(heights(0.33), std::set<double>{0.625});
-    EXPECT_EQ(heights(0.34), std::set<double>{});
-    EXPECT_EQ(heights(0.67), std::set<double>{0.5});
+    EXPECT_EQ(heights(0.432), std::set<double>{0.625});
+    EXPECT_EQ(heights(0.433), (std::set<double>{0.5, 0.625}));
+    EXPECT_EQ(heights(0.567), (std::set<double>{0.5, 0.625}));
+    EXPECT_EQ(heights(0.568), std::set<double>{0.5});
 }
 
 TEST(SoftJumps, AreNotAmongTheUnknownsOfOthers) {
