@@ -6,8 +6,9 @@
 
 The plate of the first example with a uniform mesh (50 x 102.5 mm, size 1.6), refine = 32: 0.05 mm at the tip; 50 MPa,
 R = 0, growth of 0.05 mm per cycle. Only mesh, loads, growth and refinement are given. `--angle`: degrees from the lines
-of the mesh, along which the crack runs and grows otherwise. Programs take turns. Prints a Markdown table: seconds and units per cycle from the second on, CPU over wall, iterations, points evaluated and fronts
-factored per cycle, K_op / K_max of the last cycle.
+of the mesh, along which the crack runs and grows otherwise. Programs take turns. Prints a Markdown table: seconds and
+units per cycle from the second on, CPU over wall, iterations, points evaluated and fronts factored per cycle, K_op /
+K_max of the last cycle.
 """
 
 import argparse
