@@ -161,7 +161,7 @@ private:
         const CrackPiece* cut = own >= 0 ? &scene->enriched.pieces[at(own)] : nullptr;
         IntegrationRule rule = elastic_rule(scene->enriched, id, cut != nullptr);
         rule.mean_dilatation = mean_dilatation(scene->input.material, scene->materials.elastic(0));
-        const auto& corners = ElementBasis(scene->enriched, id, cut != nullptr).corners();
+        const QuadNodes corners = ElementBasis(scene->enriched, id, cut != nullptr).corners();
         std::vector<IntegrationPoint> points;
         for (std::size_t q = first; q < end; ++q) {
             const Vec2 x(after.state.x[q], after.state.y[q]);
