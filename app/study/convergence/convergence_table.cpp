@@ -42,6 +42,18 @@ std::vector<Combination> along(const Report& report, std::size_t axis, const cha
     return all;
 }
 
+/// Of a study's results in the same unit. What is less than rounding of it is nothing.
+double largest_in(const Report& report, const std::string& unit) {
+    double largest = 0.0;
+    for (const auto& group : {endings(), results()})
+        for (const Quantity& result : group)
+            for (const Row& row : report.rows)
+                if (const double value = std::abs(row.outcome.value(result.name));
+                    result.unit == unit && value > largest)
+                    largest = value;
+    return largest;
+}
+
 std::string number(double value, const char* format = "{:.6g}") {
     return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "";
 }
@@ -64,7 +76,8 @@ std::vector<ConvergenceRow> convergence_rows(const Report& report) {
                 for (const Combination& combination : along(report, axis, result.name)) {
                     if (combination.grids.size() < 2) continue;
                     const GridConvergence found = grid_convergence(combination.grids);
-                    if (found.approach == Approach::Same) continue;
+                    const double nothing = rounding * largest_in(report, result.unit);
+                    if (found.approach == Approach::Same || std::abs(found.finest) <= nothing) continue;
                     rows.push_back({.result = result.name,
                                     .unit = result.unit,
                                     .along = report.axes[axis].key,

@@ -18,7 +18,7 @@ struct ConvergenceRow {
 };
 
 /// One row per result and combination of the other axes, along `fine.refine` and `mesh.size`, of runs that are done.
-/// Nothing of results that are equal to rounding on the two smallest, nor where fewer than two sizes are.
+/// Nothing of results that are equal or zero to rounding on the two smallest, nor where fewer than two sizes are.
 std::vector<ConvergenceRow> convergence_rows(const Report& report);
 
 /// Header and cells of convergence.csv.

@@ -69,6 +69,9 @@ TEST(ConvergenceTable, LeavesOutWhatHasNoTwoSizes) {
                    variant({{"mesh.size", "4"}}, {})};
     EXPECT_TRUE(convergence_rows(report).empty());
     EXPECT_EQ(study::convergence_section({}), "");
+    report.rows[1].outcome.values = {{"J", 1.0}, {"CMOD", 0.1}, {"opening_at_min", 1e-16}};
+    report.rows[0].outcome.values = {{"J", 1.0}, {"CMOD", 0.1}, {"opening_at_min", -3e-16}};
+    EXPECT_TRUE(convergence_rows(report).empty()) << "equal, or nothing beside others in mm";
     Report other = of_axes({{"fine.beta", {"1", "2"}}});
     other.rows = {variant({{"fine.beta", "1"}}, {{"J", 1.0}}), variant({{"fine.beta", "2"}}, {{"J", 2.0}})};
     EXPECT_TRUE(convergence_rows(other).empty());
