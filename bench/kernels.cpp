@@ -99,7 +99,7 @@ struct Plate {
         input.cracks[0].contact = ContactSection{};
         std::vector<double> ticks;
         for (int i = 0; i <= 9; ++i) ticks.push_back(i);
-        mesh = coarse::enrich(coarse::grid_mesh(ticks, ticks), input.cracks, {.functions = 1});
+        mesh = coarse::enrich(BodyMesh(coarse::grid_mesh(ticks, ticks)), input.cracks, {.functions = 1});
         u = 1e-3 * Eigen::VectorXd::Random(mesh.unknowns);
     }
     [[nodiscard]] ElementOperator element(long kind) const {

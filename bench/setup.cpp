@@ -84,7 +84,7 @@ Measurement measure(int elements) {
     coarse::Scene scene;
     scene.input = plate(elements);
     scene.materials = Materials(scene.input);
-    scene.mesh = coarse::make_mesh(scene.input.mesh, scene.input.cracks);
+    scene.mesh = BodyMesh(coarse::make_mesh(scene.input.mesh, scene.input.cracks));
     scene.loads.main = coarse::resolve_boundaries(scene.mesh, scene.input.boundaries);
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads.main);
     lap();

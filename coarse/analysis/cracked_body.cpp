@@ -58,7 +58,7 @@ void CrackedBody::go_on_from(const AnalysisState& state) {
         if (input.growth && input.growth->retain == Retain::All)
             throw CaseError(
                 "--resume: growth.retain = \"all\" keeps functions of old tips that a checkpoint does not hold");
-        grown_ = std::make_unique<Scene>(make_scene(input, split_again(scene_->mesh, splits_)));
+        grown_ = std::make_unique<Scene>(make_scene(input, BodyMesh(split_again(scene_->mesh, splits_))));
         scene_ = grown_.get();
     }
     require(std::ssize(state.displacement) == scene_->enriched.unknowns &&
@@ -129,7 +129,7 @@ std::unique_ptr<FinerScene> CrackedBody::finer_about_flow(const std::vector<int>
 
 std::unique_ptr<FinerScene> CrackedBody::finer(const std::vector<RefinedDisk>& disks, const ElementSet& whole) const {
     RefinedMesh refined = refine(scene_->mesh, disks, whole);
-    Scene scene = make_scene(scene_->input, std::move(refined.mesh));
+    Scene scene = make_scene(scene_->input, BodyMesh(std::move(refined.mesh)));
     if (!scene_->enriched.left_tips.empty()) scene = with_functions_left(std::move(scene), scene_->enriched);
     return std::make_unique<FinerScene>(std::move(scene), std::move(refined.splits), std::move(refined.part_of));
 }

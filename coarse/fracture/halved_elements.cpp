@@ -23,7 +23,7 @@ std::vector<double> all_K(const TipResult& tip) {
 std::vector<TipResult> tips_on_halved_elements(const Scene& scene) {
     std::vector<int> all(scene.mesh->elements.size());
     std::iota(all.begin(), all.end(), 0);
-    const Scene halved = make_scene(scene.input, split_again(scene.mesh, {all}));
+    const Scene halved = make_scene(scene.input, BodyMesh(split_again(scene.mesh, {all})));
     const std::unique_ptr<const Scene> own = nominal_scene(halved);
     return solve_nominal_near(std::make_unique<Structure>(own ? *own : halved)).tips;
 }

@@ -68,7 +68,7 @@ BodyMesh with_materials(BodyMesh mesh, const std::vector<RegionSection>& regions
     if (material.empty()) return mesh;
     Mesh known = *mesh;
     known.material = std::move(material);
-    return known;
+    return BodyMesh(std::move(known));
 }
 
 }  // namespace

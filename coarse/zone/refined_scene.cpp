@@ -41,7 +41,7 @@ Scene refined_scene(const Case& given, const std::function<void(const Scene&)>& 
     Mesh mesh = make_mesh(given.mesh, given.cracks, given.regions, given.boundaries);
     Case input = given;
     for (CrackSection& crack : input.cracks) crack.points = ends_and_bends(crack.points);
-    Scene scene = make_scene(input, std::move(mesh), input.fine.refine);
+    Scene scene = make_scene(input, BodyMesh(std::move(mesh)), input.fine.refine);
     if (input.fine.refine == 1) return scene;
     std::vector<double> K(scene.enriched.tips.size(), 0.0);
     std::vector<CrackSection> cracks = input.cracks;
@@ -54,7 +54,7 @@ Scene refined_scene(const Case& given, const std::function<void(const Scene&)>& 
     }
     Mesh refined = refine(scene.mesh, disks_about_tips(scene, cracks, K, Room::ToGrow)).mesh;
     refined.material.clear();  // small elements tell the outlines of regions better
-    return make_scene(input, std::move(refined));
+    return make_scene(input, BodyMesh(std::move(refined)));
 }
 
 }  // namespace stria::coarse

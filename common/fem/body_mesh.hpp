@@ -16,7 +16,8 @@ namespace stria {
 class BodyMesh {
 public:
     BodyMesh() : BodyMesh(Mesh()) {}
-    BodyMesh(Mesh mesh);
+    /// Finds all of it anew, however small the change: never in passing.
+    explicit BodyMesh(Mesh mesh);
 
     operator const Mesh&() const { return found_->mesh; }
     const Mesh& operator*() const { return found_->mesh; }

@@ -35,7 +35,7 @@ coarse::Scene scene_of(const CrackedPlate& plate, const Case& input, const coars
                        const Eigen::Matrix2d& stress) {
     coarse::Scene scene;
     scene.input = input;
-    scene.mesh = plate.mesh;
+    scene.mesh = BodyMesh(plate.mesh);
     scene.materials = Materials(input);
     scene.loads.main = boundary_tractions(plate.mesh, stress);
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads.main);
@@ -274,7 +274,7 @@ template <class Check> bool guarded(const char* name, unsigned seed, Tally& tall
 
 void try_crack(const CrackedPlate& plate, unsigned seed, Tally& tally) {
     const bool legal = guarded("room", seed, tally, [&] {
-        const EnrichedMesh enriched = coarse::enrich(plate.mesh, case_of(plate, false).cracks, single);
+        const EnrichedMesh enriched = coarse::enrich(BodyMesh(plate.mesh), case_of(plate, false).cracks, single);
         coarse::require_room(plate.mesh, enriched, 1);
         coarse::require_tips(enriched, 1);
     });

@@ -12,7 +12,7 @@ namespace stria::test {
 class Advice : public testing::Test {
 protected:
     [[nodiscard]] std::vector<std::string> at(double K_I) const {
-        const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
+        const BodyMesh mesh(coarse::make_mesh(input.mesh, input.cracks, input.regions));
         return coarse::mesh_warnings(coarse::make_scene(input, mesh), {K_I}, {closure_at});
     }
     Case input = plate_that_flows();

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "coarse/enrichment/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
+#include "common/crack/crack_path.hpp"
+#include "common/fem/body_mesh.hpp"
 #include "common/fem/centre.hpp"
-#include "common/fem/mesh.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
@@ -41,12 +43,17 @@ inline Mesh distorted(Mesh mesh, double amount) {
 }
 
 inline EnrichedMesh cracked(const Mesh& mesh, const std::vector<Vec2>& points, const coarse::TipEnrichment& tips) {
-    return coarse::enrich(mesh, {{.points = points, .contact = {}}}, tips);
+    return coarse::enrich(BodyMesh(mesh), {{.points = points, .contact = {}}}, tips);
 }
 
 inline EnrichedMesh cracked(const Mesh& mesh, const std::vector<Vec2>& points, int tip_functions = 6,
                             double exponent = 0.5) {
     return cracked(mesh, points, {tip_functions, exponent});
+}
+
+/// Crack 0 along `points`.
+inline CrackPath path_on(Mesh mesh, const std::vector<Vec2>& points) {
+    return resolve_crack(BodyMesh(std::move(mesh)), 0, points);
 }
 
 /// The crack inside an element, or null.

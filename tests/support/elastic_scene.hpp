@@ -10,7 +10,7 @@ inline const Elasticity steel{210e3, 0.3};
 
 inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elasticity& elastic, coarse::Loads loads = {}) {
     coarse::Scene scene;
-    scene.mesh = std::move(mesh);
+    scene.mesh = BodyMesh(std::move(mesh));
     scene.enriched = std::move(enriched);
     MaterialSection material;
     material.young = elastic.young;

@@ -31,7 +31,8 @@ inline EnrichedMesh plate_mesh(int columns, int rows, const Case& input, int tip
     std::vector<double> xs, ys;
     for (int i = 0; i <= columns; ++i) xs.push_back(i);
     for (int i = 0; i <= rows; ++i) ys.push_back(i);
-    return coarse::enrich(coarse::grid_mesh(xs, ys), input.cracks, {.functions = tip_functions, .exponent = 0.5});
+    return coarse::enrich(BodyMesh(coarse::grid_mesh(xs, ys)), input.cracks,
+                          {.functions = tip_functions, .exponent = 0.5});
 }
 
 /// Two cracks, from the left and from the right, between whose rows a node hangs in the middle: its elements are those

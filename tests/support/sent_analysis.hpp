@@ -10,13 +10,13 @@
 
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
-#include "coarse/model/mesh_refinement.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/schema/case_file.hpp"
 #include "common/linear/blas.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/folders.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::test {
 
@@ -67,7 +67,7 @@ struct RunHistory {
 inline coarse::Scene refined_along(const Case& input, const Vec2& from, const Vec2& to, double radius) {
     const int levels = std::countr_zero(static_cast<unsigned>(input.fine.refine));
     const Mesh body = coarse::make_mesh(input.mesh, input.cracks, input.regions);
-    return coarse::make_scene(input, coarse::refine(body, {{from, to, radius, levels, input.fine.growth}}).mesh);
+    return coarse::make_scene(input, BodyMesh(refined(body, {{from, to, radius, levels, input.fine.growth}}).mesh));
 }
 
 /// With the faces of each increment.

@@ -75,7 +75,7 @@ coarse::TipResult along_edges(const Case& input, int n) {
     coarse::Scene scene;
     scene.input = input;
     scene.materials = Materials(input);
-    scene.mesh = conforming_mesh(input.cracks[0].points, n);
+    scene.mesh = BodyMesh(conforming_mesh(input.cracks[0].points, n));
     scene.loads.main = coarse::resolve_boundaries(scene.mesh, input.boundaries);
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads.main);
     scene.enriched = coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input));

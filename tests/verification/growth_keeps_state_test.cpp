@@ -10,6 +10,7 @@
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "tests/support/growth/witness.hpp"
+#include "tests/support/refined_squares.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -91,7 +92,7 @@ coarse::Scene scene_of(const Scenario& scenario, const Case& input) {
     coarse::Scene scene = coarse::refined_scene(input);
     if (!scenario.has("small")) return scene;
     const Vec2 place = scenario.crack.back() + element_edge * Vec2(1.4, 0.9);
-    return coarse::make_scene(input, coarse::refine(scene.mesh, {{place, place, 0.6 * element_edge, 1, 0.0}}).mesh);
+    return coarse::make_scene(input, BodyMesh(refined(scene.mesh, {{place, place, 0.6 * element_edge, 1, 0.0}}).mesh));
 }
 
 /// An edge crack in the middle of a row of elements, its tip at `place` (in elements) from the edge.

@@ -103,7 +103,7 @@ EnrichedMesh anywhere(int k, Mesh& mesh) {
         const Vec2 centre(real(0.2, 0.8), real(0.2, 0.8));
         disks.push_back({centre, centre, real(0.02, 0.2), whole(1, 3), real(0.0, 0.25)});
     }
-    mesh = coarse::refine(whole(0, 3) == 0 ? distorted(square_mesh(n), 0.1 / n) : square_mesh(n), disks).mesh;
+    mesh = refined(whole(0, 3) == 0 ? distorted(square_mesh(n), 0.1 / n) : square_mesh(n), disks).mesh;
     const auto put = [&](double x) { return parts > 0 ? std::round(x * n * parts) / (n * parts) : x; };
     std::vector<Vec2> points{{put(real(0.2, 0.8)), 0.0}};
     double angle = std::numbers::pi / 2.0 + (whole(0, 1) == 0 ? 0.0 : real(-0.7, 0.7));

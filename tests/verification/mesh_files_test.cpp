@@ -9,7 +9,6 @@
 #include <numeric>
 #include <random>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "common/case/schema/case_file.hpp"
@@ -18,6 +17,7 @@
 #include "tests/support/comparison.hpp"
 #include "tests/support/cracks_from_a_hole.hpp"
 #include "tests/support/mesh_files.hpp"
+#include "tests/support/refined_squares.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
@@ -207,7 +207,7 @@ struct Pinned {
         input.fine = {};
         Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
         const Vec2 middle(0.5 * pinned_width, 0.0);
-        return coarse::make_scene(input, coarse::refine(std::move(mesh), {{middle, middle, 1e3, 1, 0.0}}).mesh);
+        return coarse::make_scene(input, BodyMesh(refined(std::move(mesh), {{middle, middle, 1e3, 1, 0.0}}).mesh));
     }
 
     [[nodiscard]] double K_I() const { return nominal.tips[0].K_I; }

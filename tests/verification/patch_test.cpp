@@ -41,7 +41,7 @@ TEST(PatchTest, UncutElementsOfAnyShape) {
     for (Mesh mesh :
          {coarse::grid_mesh(graded_lines, graded_lines),
           distorted(coarse::grid_mesh(graded_lines, graded_lines), 0.009), distorted(square_mesh(6), 0.04)}) {
-        coarse::Scene scene = make_scene(mesh, coarse::enrich(mesh, {}, {}), steel);
+        coarse::Scene scene = make_scene(mesh, coarse::enrich(BodyMesh(mesh), {}, {}), steel);
         const Eigen::VectorXd u = linear_field(scene.enriched, gradient);
         hold_boundary(scene, u);
         const Eigen::VectorXd found = coarse::Structure(scene).expand({}, 1.0);

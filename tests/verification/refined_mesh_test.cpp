@@ -87,8 +87,7 @@ TEST(RefinedMesh, HomogeneousStressIsExact) {
         const Vec2 tip(0.5 + 0.1 * std::sin(5.0 * k), 0.5 + 0.1 * std::cos(9.0 * k));
         const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
         const Mesh mesh =
-            coarse::refine(k % 3 == 0 ? distorted(square_mesh(6), 0.02) : square_mesh(6), {{tip, tip, 0.15, 3, 0.2}})
-                .mesh;
+            refined(k % 3 == 0 ? distorted(square_mesh(6), 0.02) : square_mesh(6), {{tip, tip, 0.15, 3, 0.2}}).mesh;
         const Eigen::Matrix2d stress = 100.0 * along * along.transpose();
         const std::vector<Vec2> crack{tip - 2.0 * along, k % 2 == 0 ? tip : Vec2(tip + 2.0 * along)};
         coarse::Scene scene = make_scene(mesh, cracked(mesh, crack, 6), steel, boundary_tractions(mesh, stress));
@@ -176,7 +175,7 @@ TEST(RefinedMesh, HasTheStressIntensityWhereTipFunctionsCrossHangingNodes) {
     for (int k = 0; k < 12; ++k) {
         const Vec2 tip = input.cracks[0].points[1], beside = tip + Vec2(0.012 * (k - 6), 0.007 * (k % 5 - 2));
         const coarse::Scene scene =
-            coarse::make_scene(input, coarse::refine(body, {{beside, beside, 0.03, 1, 0.0}}).mesh);
+            coarse::make_scene(input, BodyMesh(refined(body, {{beside, beside, 0.03, 1, 0.0}}).mesh));
         across += has_tip_function_that_hangs(scene.enriched) ? 1 : 0;
         worst = std::max(worst, std::abs(coarse::solve_nominal(scene).tips[0].K_I / K - 1.0));
     }
@@ -198,8 +197,8 @@ TEST(RefinedMesh, HasTheStressIntensityWithoutTipFunctionsAlongHalvesOfEdges) {
     double worst = 0.0;
     for (int k = 0; k < 60; k += 3) {
         const Vec2 beside = input.cracks[0].points[1] + Vec2(0.06 * std::sin(1.7 * k), 0.05 * std::cos(2.9 * k));
-        const coarse::Scene scene =
-            coarse::make_scene(input, coarse::refine(body, {{beside, beside, 0.02 + 0.0007 * k, 1 + k % 2, 0.0}}).mesh);
+        const coarse::Scene scene = coarse::make_scene(
+            input, BodyMesh(refined(body, {{beside, beside, 0.02 + 0.0007 * k, 1 + k % 2, 0.0}}).mesh));
         worst = std::max(worst, std::abs(coarse::solve_nominal(scene).tips[0].K_I / K - 1.0));
     }
     std::cout << fmt::format("K_I off by at most {:.3f} %\n", 100.0 * worst);

@@ -92,7 +92,7 @@ std::array<double, 5> cylinder(int n, Path path = Path::InParts) {
     input.boundaries.back().on = "left";
     input.boundaries.back().pressure = 1.0;
     const auto circle = [](const Vec2& direction) { return Vec2(200.0 * direction); };
-    const coarse::Scene scene = coarse::make_scene(input, quarter(100.0, circle, n, n));
+    const coarse::Scene scene = coarse::make_scene(input, BodyMesh(quarter(100.0, circle, n, n)));
     const RunHistory run = run_direct(input, scene);
     std::array<double, 5> found{};
     for (std::size_t k = 0; k < 5; ++k) found[k] = displacement_at(scene, run.increments[4 + k], {200.0, 0.0}).x();
@@ -129,7 +129,7 @@ std::array<double, 6> plate_with_a_hole(int n, Path path = Path::InParts) {
     input.boundaries.emplace_back();
     input.boundaries.back().on = "loaded";
     input.boundaries.back().traction = Vec2(0.0, 1.0);
-    const coarse::Scene scene = coarse::make_scene(input, mesh);
+    const coarse::Scene scene = coarse::make_scene(input, BodyMesh(mesh));
     const Followed last = run_direct(input, scene).increments.back();
     std::array<double, 6> found{};
     for (std::size_t k = 0; k < 6; ++k) found[k] = displacement_at(scene, last, places[k])[components[k]];

@@ -11,9 +11,9 @@
 #include <numbers>
 
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
-#include "coarse/model/mesh_refinement.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/exact_field.hpp"
+#include "tests/support/refined_squares.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
@@ -56,7 +56,7 @@ coarse::Scene scene_of(const Case& input, const Fineness& fineness) {
     coarse::Scene scene;
     scene.input = input;
     scene.materials = Materials(input);
-    scene.mesh = coarse::refine(std::move(square), {{tip, tip, 0.45, fineness.levels, fineness.growth}}).mesh;
+    scene.mesh = BodyMesh(refined(std::move(square), {{tip, tip, 0.45, fineness.levels, fineness.growth}}).mesh);
     scene.enriched = coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input));
     coarse::put_loads_on_unknowns(scene);
     impose(scene, 1);

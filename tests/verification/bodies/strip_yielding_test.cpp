@@ -11,10 +11,10 @@
 #include <numbers>
 
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
-#include "coarse/model/mesh_refinement.hpp"
 #include "common/fem/centre.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/exact_field.hpp"
+#include "tests/support/refined_squares.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
@@ -53,14 +53,14 @@ coarse::Scene strip_scene(const Case& input, double length, int levels) {
     coarse::Scene scene;
     scene.input = input;
     scene.materials = Materials(input);
-    mesh = coarse::refine(mesh, {{tip, end, 0.45, levels, 0.15}}).mesh;
+    mesh = refined(mesh, {{tip, end, 0.45, levels, 0.15}}).mesh;
     const double h = thickness(levels);
     mesh.material.assign(mesh.elements.size(), 1);
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         const Vec2 x = stria::centre(mesh, e);
         if (std::abs(x.y()) < h && x.x() > -4.0 * h && x.x() < end.x()) mesh.material[at(e)] = 0;
     }
-    scene.mesh = std::move(mesh);
+    scene.mesh = BodyMesh(std::move(mesh));
     scene.enriched = coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input));
     coarse::put_loads_on_unknowns(scene);
     impose(scene, 1);

@@ -14,7 +14,7 @@ using Said = std::vector<std::string>;
 class TipsJudged : public testing::Test {
 protected:
     [[nodiscard]] Said look(MeshJudge& judge, double K_I, double distance = 1.3, double radius = 4.0) const {
-        const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
+        const BodyMesh mesh(coarse::make_mesh(input.mesh, input.cracks, input.regions));
         return judge.look_at(coarse::make_scene(input, mesh),
                              {.K_I = {K_I}, .distance = {distance}, .radius = {radius}});
     }

@@ -207,7 +207,7 @@ TEST_F(Advice, SaysThatKHasFallenBelowTheDistanceOfClosure) {
     const auto fallen = [&](double from, std::vector<double> to) {
         input.growth = GrowthSection{.law = GrowthLaw::Prescribed, .increment = 1.0};
         const coarse::Scene scene =
-            coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
+            coarse::make_scene(input, BodyMesh(coarse::make_mesh(input.mesh, input.cracks, input.regions)));
         const double distance =
             coarse::closure_distances(ClosureSection(), {2100.0}, scene.yield_stress_at_tips()).front();
         coarse::MeshJudge judge;

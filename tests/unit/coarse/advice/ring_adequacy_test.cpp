@@ -129,7 +129,7 @@ TEST_F(Advice, NamesATipThatPutsFunctionsAtAnotherOne) {
     input.cracks[0].contact = ContactSection{};
     input.growth = GrowthSection{.increment = 0.1};
     const auto named = [&] {
-        const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
+        const BodyMesh mesh(coarse::make_mesh(input.mesh, input.cracks, input.regions));
         const std::size_t tips = input.cracks.size();
         const std::vector<std::string> all = coarse::mesh_warnings(
             coarse::make_scene(input, mesh), std::vector<double>(tips, 100.0), std::vector<double>(tips, 1.0));

@@ -23,7 +23,7 @@ protected:
     [[nodiscard]] coarse::WorkEstimate between(double max, double min, int cycles = 1) {
         input.load.blocks = {{.cycles = cycles, .max = max, .min = min}};
         const coarse::Scene scene =
-            coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
+            coarse::make_scene(input, BodyMesh(coarse::make_mesh(input.mesh, input.cracks, input.regions)));
         const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
         const std::vector<double> K = coarse::largest_K(input, coarse::unit_response(nominal));
         return coarse::estimate_work(scene, nominal, K, increment);
@@ -73,7 +73,8 @@ TEST_F(Work, SeesWhatCompressionDoes) {
 TEST_F(Work, OfADisplacementBesideADeadLoadIsThatOfBoth) {
     const coarse::WorkEstimate by_load = between(250.0, 0.0);
     ASSERT_GT(by_load.yielding, 0);
-    const coarse::Scene scene = coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
+    const coarse::Scene scene =
+        coarse::make_scene(input, BodyMesh(coarse::make_mesh(input.mesh, input.cracks, input.regions)));
     const double moved = 250.0 * coarse::unit_response(coarse::solve_nominal(scene)).displacement.mean;
     input.load.control = Control::Displacement;
     for (const bool beside : {false, true}) {
@@ -167,7 +168,7 @@ TEST_F(Work, OfALongCrackIsThatOfItsRim) {
     input.mesh.height = 2000.0;
     const auto body_with = [&](double length) {
         input.cracks[0].points = {{5.3, 2000.0}, {5.3, 2000.0 - length}};
-        return coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
+        return coarse::make_scene(input, BodyMesh(coarse::make_mesh(input.mesh, input.cracks, input.regions)));
     };
     const coarse::Scene brief = body_with(10.0), along = body_with(1900.0);
     EXPECT_LT(along.enriched.unknowns, 1.3 * brief.enriched.unknowns);
@@ -179,7 +180,7 @@ TEST_F(Work, KeepsTheTurnsOfAllCycles) {
     input.load.blocks = {{.cycles = 1, .max = 1.0, .min = 0.0}};
     const auto bytes = [&] {
         return coarse::bytes_of_body(
-            coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions)));
+            coarse::make_scene(input, BodyMesh(coarse::make_mesh(input.mesh, input.cracks, input.regions))));
     };
     const double of_one = bytes();
     input.load.blocks[0].cycles = 10'000'000;

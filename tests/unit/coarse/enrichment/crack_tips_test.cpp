@@ -11,14 +11,14 @@ namespace stria::coarse {
 namespace {
 
 /// Of a 4 x 4 mesh of the unit square.
-CrackPath path_along(const std::vector<Vec2>& points) { return resolve_crack(test::square_mesh(4), 0, points); }
+CrackPath path_along(const std::vector<Vec2>& points) { return test::path_on(test::square_mesh(4), points); }
 
 TEST(CrackTips, OfAnInnerCrackBothPointOutOfIt) {
     Mesh mesh = test::square_mesh(4);
     mesh.material.assign(16, 0);
     mesh.material[4] = 2;  // at the start
     mesh.material[7] = 1;  // at the end
-    const CrackPath path = resolve_crack(mesh, 0, {{0.1, 0.3}, {0.5, 0.4}, {0.9, 0.4}});
+    const CrackPath path = test::path_on(mesh, {{0.1, 0.3}, {0.5, 0.4}, {0.9, 0.4}});
     const std::vector<Tip> tips = tips_of(mesh, path);
     ASSERT_EQ(tips.size(), 2U);
     EXPECT_EQ(tips[0].position, Vec2(0.1, 0.3));
@@ -59,7 +59,7 @@ TEST(CrackTips, LookWhereTheCrackIsGivenToGo) {
 
 // At the end on edges that it moves to, the faces end 0.14 mm before one tip and 0.11 mm beyond the other.
 TEST(CrackTips, AreAsFarBeyondTheirFacesAsThoseHaveMoved) {
-    const Mesh mesh = test::square_mesh(4);
+    const BodyMesh mesh(test::square_mesh(4));
     const CrackPath path = with_fronts_on_edges(mesh, path_along({{0.36, 0.4}, {0.85, 0.4}}));
     const std::vector<Tip> tips = tips_of(mesh, path);
     ASSERT_EQ(tips.size(), 2U);
@@ -74,7 +74,7 @@ TEST(CrackTips, AreAsFarBeyondTheirFacesAsThoseHaveMoved) {
 TEST(CrackTips, HaveTheirCrackBehindThem) {
     const Mesh mesh = test::square_mesh(8);
     const auto require = [&](const std::vector<Vec2>& points) {
-        const CrackPath path = resolve_crack(mesh, 0, points);
+        const CrackPath path = test::path_on(mesh, points);
         for (const Tip& tip : tips_of(mesh, path)) require_behind(mesh, path, tip);
     };
     const Vec2 mouth(0.0, 0.55);

@@ -52,7 +52,7 @@ TEST(Enrichment, MouthOutsideTheBodyChangesNothing) {
 // By three quarters of the way to the middle the disks met up to eleven elements apart. What is far away changes
 // nothing.
 TEST(Enrichment, DisksOfTwoTipsKeepClearOfEachOther) {
-    const Mesh mesh = square_mesh(40);
+    const BodyMesh mesh(square_mesh(40));
     const auto cracked_by = [&](const std::vector<std::vector<Vec2>>& ways) {
         std::vector<CrackSection> cracks;
         for (const std::vector<Vec2>& points : ways) cracks.push_back({.points = points, .contact = {}});
@@ -167,7 +167,7 @@ TEST(Enrichment, RefusesATipThatTurnsBackBesideItsElement) {
 }
 
 TEST(Enrichment, RefusesCracksAndTipsTooCloseForTheMesh) {
-    const Mesh mesh = square_mesh(8);
+    const BodyMesh mesh(square_mesh(8));
     const auto two = [&](double gap) {
         const std::vector<CrackSection> cracks{{.points = {{0.0, 0.43}, {0.5, 0.43}}, .contact = {}},
                                                {.points = {{0.0, 0.43 + gap}, {0.5, 0.43 + gap}}, .contact = {}}};

@@ -5,9 +5,9 @@
 
 #include <map>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "common/fem/centre.hpp"
 #include "tests/support/cracked_mesh.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -16,8 +16,8 @@ namespace {
 class TiedNodes : public testing::Test {
 protected:
     TiedNodes() {
-        const Mesh mesh = refine(grid_mesh(std::vector{0.0, 1.0, 2.0}, std::vector{0.0, 1.0}),
-                                 {{{1.5, 0.5}, {1.5, 0.5}, 0.1, 1, 0.0}})
+        const Mesh mesh = test::refined(grid_mesh(std::vector{0.0, 1.0, 2.0}, std::vector{0.0, 1.0}),
+                                        {{{1.5, 0.5}, {1.5, 0.5}, 0.1, 1, 0.0}})
                               .mesh;
         hanging_ = mesh.hanging;
         cracked_.nodes = mesh.nodes;

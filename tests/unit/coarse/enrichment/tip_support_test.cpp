@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "common/error.hpp"
 #include "tests/support/cracked_mesh.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -31,7 +31,7 @@ int node_of_16(int column, int row) { return 5 * row + column; }
 
 TEST(TipSupport, HasBothElementsOfATipOnAnEdge) {
     CrackPiece piece{.crack = 0, .element = 5, .points = {}, .s = {}};
-    const Mesh mesh = test::square_mesh(4);
+    const BodyMesh mesh(test::square_mesh(4));
     EXPECT_EQ(tip_nodes(mesh, piece),
               (std::set{node_of_16(1, 1), node_of_16(2, 1), node_of_16(1, 2), node_of_16(2, 2)}));
     piece.neighbour = 9;
@@ -41,9 +41,9 @@ TEST(TipSupport, HasBothElementsOfATipOnAnEdge) {
 
 // Two elements, the right one split in four.
 TEST(TipSupport, HasTheEndsOfTheEdgeOnWhichANodeOfItHangs) {
-    const Mesh mesh =
-        refine(grid_mesh(std::vector{0.0, 1.0, 2.0}, std::vector{0.0, 1.0}), {{{1.5, 0.5}, {1.5, 0.5}, 0.1, 1, 0.0}})
-            .mesh;
+    const Mesh mesh = test::refined(grid_mesh(std::vector{0.0, 1.0, 2.0}, std::vector{0.0, 1.0}),
+                                    {{{1.5, 0.5}, {1.5, 0.5}, 0.1, 1, 0.0}})
+                          .mesh;
     ASSERT_EQ(mesh.hanging.size(), 1U);
     const auto [hanging, ends, larger] = mesh.hanging.front();
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
@@ -57,7 +57,7 @@ TEST(TipSupport, HasTheEndsOfTheEdgeOnWhichANodeOfItHangs) {
 
 // Centres lie at 0.125, 0.375, ...
 TEST(TipSupport, OfADiskIsWholeElements) {
-    const Mesh mesh = test::square_mesh(4);
+    const BodyMesh mesh(test::square_mesh(4));
     std::set<int> nodes;
     add_disk(mesh, {0.375, 0.375}, 0.24, nodes);
     EXPECT_EQ(nodes.size(), 4U);
@@ -96,7 +96,7 @@ TEST(TipSupport, IsAsLargeAsTheCaseSaysOrTheCaseIsRefused) {
 
 /// In the middle of 12 x 12 elements of 1 mm.
 TipNodes about_tip(TipSupport support, double in_body, double other_end, std::set<int> of_others = {}) {
-    const Mesh mesh = test::square_mesh(12, 12.0);
+    const BodyMesh mesh(test::square_mesh(12, 12.0));
     const Tip tip{.crack = 0, .position = {5.5, 5.5}, .direction = Vec2::UnitX(), .s = 3.0, .upper = 1};
     const CrackPiece piece{.crack = 0, .element = 5 * 12 + 5, .points = {}, .s = {}};
     RoomOfDisk room = room_of(in_body, other_end, infinite, std::numbers::sqrt2);
@@ -136,7 +136,7 @@ TEST(TipSupport, SharesThemUnlessAnElementSeesAnotherCrackAndLeavesOutWhatDoes) 
 
 // Two tips six elements apart, and what is nearer to either.
 TEST(TipSupport, LeavesToAnotherTipWhatIsNearerToIt) {
-    const Mesh mesh = test::square_mesh(12, 12.0);
+    const BodyMesh mesh(test::square_mesh(12, 12.0));
     const auto crack = [&](double from, double to, bool at_start) {
         CrackPath path;
         path.pieces = {

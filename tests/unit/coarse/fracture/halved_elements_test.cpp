@@ -27,7 +27,7 @@ double error_over_change(const Scene& scene) {
         fine = split_again(std::move(fine), {all});
     }
     const double K = solve_nominal(scene).tips[0].K_I,
-                 converged = solve_nominal(make_scene(scene.input, std::move(fine))).tips[0].K_I;
+                 converged = solve_nominal(make_scene(scene.input, BodyMesh(std::move(fine)))).tips[0].K_I;
     const double change = change_of_K(solve_nominal(scene).tips[0], tips_on_halved_elements(scene)[0]);
     EXPECT_GT(change, 1e-3);
     return std::abs(K / converged - 1.0) / change;

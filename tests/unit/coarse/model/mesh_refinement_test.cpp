@@ -1,8 +1,8 @@
-#include "coarse/model/mesh_refinement.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/cracked_mesh.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -52,15 +52,15 @@ TEST(MeshRefinement, OfAMirroredMeshIsTheMirrorImage) {
         const Mesh image = mirrored(start);
         for (const double y : {0.3, 0.45, 0.62}) {
             const Vec2 place(0.4, y), mirror(0.4, 1.0 - y);
-            const auto split = refine(start, {{place, place, 0.15, 1, 0.0}}).splits;
-            EXPECT_EQ(split, refine(image, {{mirror, mirror, 0.15, 1, 0.0}}).splits) << n << ", " << y;
+            const auto split = test::refined(start, {{place, place, 0.15, 1, 0.0}}).splits;
+            EXPECT_EQ(split, test::refined(image, {{mirror, mirror, 0.15, 1, 0.0}}).splits) << n << ", " << y;
         }
     }
 }
 
 TEST(MeshRefinement, GoesOnWhereAMeshIsSplitAlready) {
-    const Mesh once = refine(test::distorted(test::square_mesh(5), 0.02), left).mesh;
-    const RefinedMesh twice = refine(once, further);
+    const Mesh once = test::refined(test::distorted(test::square_mesh(5), 0.02), left).mesh;
+    const RefinedMesh twice = test::refined(once, further);
     expect_sound(twice.mesh);
     EXPECT_GT(twice.mesh.elements.size(), once.elements.size());
     for (std::size_t e = 0; e < once.elements.size(); ++e)
@@ -72,13 +72,13 @@ TEST(MeshRefinement, GoesOnWhereAMeshIsSplitAlready) {
         if (parts[at(e)] == 0.0) continue;
         EXPECT_NEAR(parts[at(e)], area(once, e), 1e-14) << e;
     }
-    EXPECT_FALSE(asks_for_more(twice.mesh, further, {}));
+    EXPECT_FALSE(asks_for_more(BodyMesh(twice.mesh), further, {}));
 }
 
 TEST(MeshRefinement, PartsStayInTheGroupOfTheWhole) {
     Mesh start = test::square_mesh(5);
     for (int e = 0; e < 25; e += 2) start.groups["even"].push_back(e);
-    const RefinedMesh fine = refine(start, left);
+    const RefinedMesh fine = test::refined(start, left);
     const std::vector<int>& even = fine.mesh.groups.at("even");
     EXPECT_TRUE(std::ranges::is_sorted(even));
     int split = 0;
@@ -101,14 +101,14 @@ TEST(MeshRefinement, SetsOfNodesKeepTheirLines) {
     Mesh start = test::square_mesh(5);
     start.node_sets["line"] = on_line(start);
     ASSERT_EQ(start.node_sets["line"].size(), 6U);
-    const Mesh fine = refine(start, left).mesh;
+    const Mesh fine = test::refined(start, left).mesh;
     EXPECT_GT(on_line(fine).size(), 10U);
     EXPECT_EQ(fine.node_sets.at("line"), on_line(fine));
 }
 
 TEST(MeshRefinement, ComesOutTheSameAgain) {
     const Mesh start = test::square_mesh(5);
-    const RefinedMesh first = refine(start, left), second = refine(first.mesh, further);
+    const RefinedMesh first = test::refined(start, left), second = test::refined(first.mesh, further);
     MeshSplits all = first.splits;
     all.insert(all.end(), second.splits.begin(), second.splits.end());
     const Mesh again = split_again(start, all);
@@ -120,7 +120,7 @@ TEST(MeshRefinement, ComesOutTheSameAgain) {
 
 // What stays whole holds its neighbours back as well, lest they are smaller than half.
 TEST(MeshRefinement, LeavesElementsWhole) {
-    const Mesh start = refine(test::square_mesh(5), left).mesh;
+    const Mesh start = test::refined(test::square_mesh(5), left).mesh;
     ElementSet never(start.elements.size());
     for (int e = 0; e < std::ssize(start.elements); ++e) {
         const Vec2 middle =
@@ -128,12 +128,12 @@ TEST(MeshRefinement, LeavesElementsWhole) {
         if (start.level[at(e)] == 0 && std::abs(middle.x() - 0.5) < 0.11) never.insert(e);
     }
     ASSERT_FALSE(never.none());
-    const RefinedMesh around = refine(start, further, never);
+    const RefinedMesh around = test::refined(start, further, never);
     expect_sound(around.mesh);
     for (const int e : never.members()) EXPECT_EQ(around.mesh.elements[at(e)], start.elements[at(e)]);
     EXPECT_FALSE(around.splits.empty());
-    EXPECT_LT(around.mesh.elements.size(), refine(start, further).mesh.elements.size());
-    EXPECT_FALSE(asks_for_more(around.mesh, further, never));
+    EXPECT_LT(around.mesh.elements.size(), test::refined(start, further).mesh.elements.size());
+    EXPECT_FALSE(asks_for_more(BodyMesh(around.mesh), further, never));
 }
 
 }  // namespace

@@ -140,15 +140,16 @@ TEST(Supports, ThatEndAtACrackAreOnItsLeft) {
             const EdgeGeometry ends = edge_geometry(body, edge);
             if ((ends.from.y() + ends.to.y() > 20.0) == upper) body.boundary["half"].push_back(edge);
         }
+        const BodyMesh named(body);
         if (upper)
-            EXPECT_NO_THROW(make_scene(input, body));
+            EXPECT_NO_THROW(make_scene(input, named));
         else
-            EXPECT_THROW(make_scene(input, body), CaseError);
+            EXPECT_THROW(make_scene(input, named), CaseError);
         std::ranges::reverse(input.cracks[0].points);
         if (upper)
-            EXPECT_THROW(make_scene(input, body), CaseError);
+            EXPECT_THROW(make_scene(input, named), CaseError);
         else
-            EXPECT_NO_THROW(make_scene(input, body));
+            EXPECT_NO_THROW(make_scene(input, named));
         std::ranges::reverse(input.cracks[0].points);
     }
 }

@@ -6,6 +6,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "common/fem/centre.hpp"
 #include "tests/support/pulled_plate.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -57,7 +58,7 @@ TEST(TipRefinement, ReachesWhatFlows) {
         if (centre(*scene.mesh, e).y() > tip.y() && (centre(*scene.mesh, e) - tip).norm() < 3.0) between.insert(e);
     const std::vector<RefinedDisk> disks = disks_about_flow(scene, {flowing}, between);
     EXPECT_DOUBLE_EQ(disks.at(0).radius, (centre(*scene.mesh, flowing) - tip).norm());
-    const Mesh finer = refine(scene.mesh, disks).mesh;
+    const Mesh finer = test::refined(scene.mesh, disks).mesh;
     const auto& n = finer.elements[at(flowing)];
     EXPECT_LE((finer.nodes[at(n[1])] - finer.nodes[at(n[0])]).norm(), 0.25 * disks[0].radius);
 }

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "tests/support/cracked_mesh.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::test {
 namespace {
@@ -52,7 +52,7 @@ void expect_chain(const Mesh& mesh, const CrackPath& path) {
 TEST(CrackPath, PiecesCoverTheCrack) {
     const Mesh mesh = distorted(square_mesh(7), 0.02);
     for (const Points& crack : {Points{{0.0, 0.43}, {0.62, 0.47}}, Points{{0.21, 0.18}, {0.55, 0.52}, {0.83, 0.61}}}) {
-        const CrackPath path = resolve_crack(mesh, 0, crack);
+        const CrackPath path = path_on(mesh, crack);
         expect_chain(mesh, path);
         EXPECT_NEAR(length_of(path.pieces), path.length, 1e-12);
         EXPECT_EQ(path.pieces.front().s.front(), 0.0);
@@ -69,7 +69,7 @@ TEST(CrackPath, EveryStraightCrackIsResolved) {
             0.7 * std::pow(10.0, -5.0 + 5.0 * std::fmod(k * std::numbers::sqrt2, 1.0)) * (k % 2 == 0 ? 1.0 : -1.0);
         const double crosses = std::fmod(k * std::numbers::phi, 0.6);  // the mesh line at half height
         const Points crack{{-0.1, 0.5 - slope * (crosses + 0.1)}, {0.62, 0.5 + slope * (0.62 - crosses)}};
-        const CrackPath path = resolve_crack(mesh, 0, crack);
+        const CrackPath path = path_on(mesh, crack);
         expect_chain(mesh, path);
         EXPECT_NEAR(length_of(path.pieces), 0.62 * std::hypot(1.0, slope), 2e-3) << k << " slope " << slope;
     }
@@ -87,10 +87,10 @@ TEST(CrackPath, KeepsItsPiecesToTheBitWhereItGoesStraightOn) {
             const auto turned = [&](const Vec2& x) { return along_x ? x : Vec2(x.reverse()); };
             const Vec2 kink = turned({3.0, 100.03}), end = kink + 26.56 * turned({1.0, slope}).normalized();
             Points points{turned({0.0, 100.03}), kink, on_rounded_way(kink, end)};
-            const std::vector<CrackPiece> before = resolve_crack(mesh, 0, points).pieces;
+            const std::vector<CrackPiece> before = path_on(mesh, points).pieces;
             for (int growth = 1; growth < 20; ++growth) {
                 points[2] = on_rounded_way(points[1], points[2] + 0.02 * (points[2] - points[1]).normalized());
-                const std::vector<CrackPiece> after = resolve_crack(mesh, 0, points).pieces;
+                const std::vector<CrackPiece> after = path_on(mesh, points).pieces;
                 ASSERT_GE(after.size(), before.size());
                 for (std::size_t k = 0; k + 1 < before.size(); ++k) {  // the last one ends at the tip
                     EXPECT_EQ(after[k].points, before[k].points) << slope << ", " << growth << ", piece " << k;
@@ -101,7 +101,7 @@ TEST(CrackPath, KeepsItsPiecesToTheBitWhereItGoesStraightOn) {
 }
 
 TEST(CrackPath, MouthOutsideTheBodyIsCutOff) {
-    const CrackPath path = resolve_crack(square_mesh(5), 0, {{-0.3, 0.47}, {0.52, 0.47}});
+    const CrackPath path = path_on(square_mesh(5), {{-0.3, 0.47}, {0.52, 0.47}});
     EXPECT_FALSE(path.tip_at_start);
     EXPECT_TRUE(path.tip_at_end);
     EXPECT_NEAR(path.pieces.front().s.front(), 0.3, 1e-15);
@@ -111,13 +111,13 @@ TEST(CrackPath, MouthOutsideTheBodyIsCutOff) {
 }
 
 TEST(CrackPath, ThroughBodyHasNoTips) {
-    const CrackPath path = resolve_crack(square_mesh(5), 0, {{-0.1, 0.31}, {1.1, 0.74}});
+    const CrackPath path = path_on(square_mesh(5), {{-0.1, 0.31}, {1.1, 0.74}});
     EXPECT_FALSE(path.tip_at_start || path.tip_at_end);
     EXPECT_NEAR(length_of(path.pieces), std::hypot(1.0, 0.43 / 1.2), 1e-12);
 }
 
 TEST(CrackPath, PassesThroughNodes) {
-    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.0}, {0.625, 0.625}});
+    const CrackPath path = path_on(square_mesh(4), {{0.0, 0.0}, {0.625, 0.625}});
     ASSERT_EQ(path.pieces.size(), 3U);
     EXPECT_EQ(path.pieces[1].element, 5);
     EXPECT_EQ(path.pieces[1].entry, 0.0);
@@ -125,7 +125,7 @@ TEST(CrackPath, PassesThroughNodes) {
 }
 
 TEST(CrackPath, RunsAlongEdgesWithTheElementOnItsRight) {
-    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.5}, {0.75, 0.5}});
+    const CrackPath path = path_on(square_mesh(4), {{0.0, 0.5}, {0.75, 0.5}});
     ASSERT_EQ(path.pieces.size(), 3U);
     for (int k = 0; k < 3; ++k) {
         EXPECT_EQ(path.pieces[at(k)].element, 4 + k);
@@ -137,10 +137,10 @@ TEST(CrackPath, RunsAlongEdgesWithTheElementOnItsRight) {
 TEST(CrackPath, RunsAlongHalvesOfEdgesWhereverRoundingPutsIt) {
     constexpr double h = 1.0 / 48.0;
     for (const double split : {0.43, 0.5}) {
-        const Mesh mesh = coarse::refine(square_mesh(6), {{{split, 0.5}, {split, 0.5}, 0.05, 3, 0.2}}).mesh;
+        const Mesh mesh = refined(square_mesh(6), {{{split, 0.5}, {split, 0.5}, 0.05, 3, 0.2}}).mesh;
         for (const auto& [across, up] : {std::pair{12, 11}, {12, 20}, {12, 28}, {18, 22}, {18, 26}, {22, 22}, {22, 26}})
             for (const double mouth : {0.0, 1.0}) {
-                const CrackPath path = resolve_crack(mesh, 0, {{across * h, mouth}, {across * h, up * h}});
+                const CrackPath path = path_on(mesh, {{across * h, mouth}, {across * h, up * h}});
                 expect_chain(mesh, path);
                 EXPECT_NEAR(length_of(path.pieces), std::abs(up * h - mouth), 1e-9)
                     << split << ' ' << across << ' ' << up;
@@ -149,7 +149,7 @@ TEST(CrackPath, RunsAlongHalvesOfEdgesWhereverRoundingPutsIt) {
 }
 
 TEST(CrackPath, EndsInsideAnEdgeThatItRunsAlong) {
-    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.5}, {0.6, 0.5}});
+    const CrackPath path = path_on(square_mesh(4), {{0.0, 0.5}, {0.6, 0.5}});
     ASSERT_EQ(path.pieces.size(), 3U);
     EXPECT_EQ(path.pieces.back().element, 6);
     EXPECT_EQ(path.pieces.back().neighbour, 10);
@@ -158,7 +158,7 @@ TEST(CrackPath, EndsInsideAnEdgeThatItRunsAlong) {
 
 TEST(CrackPath, SnapsOntoNearbyNodes) {
     const double off = 0.5 * snap_fraction * 0.25;
-    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.5 + off}, {1.0, 0.5 - off}});
+    const CrackPath path = path_on(square_mesh(4), {{0.0, 0.5 + off}, {1.0, 0.5 - off}});
     ASSERT_EQ(path.pieces.size(), 4U);
     for (const CrackPiece& piece : path.pieces) EXPECT_GE(piece.neighbour, 0);
     for (const CrackPiece& piece : path.pieces) EXPECT_EQ(piece.points.back().y(), 0.5);
@@ -171,25 +171,25 @@ TEST(CrackPath, PutsPointsBesideANodeOntoIt) {
     const Vec2 from(0.1, 0.3), at_node(0.5, 0.5);
     for (const Vec2& off :
          {Vec2(hair, -hair), Vec2(hair, 0.0), Vec2(0.0, hair), Vec2(-hair, hair), Vec2(1e-9, -1e-9)}) {
-        const CrackPath ends = resolve_crack(square_mesh(4), 0, {from, at_node + off});
+        const CrackPath ends = path_on(square_mesh(4), {from, at_node + off});
         EXPECT_EQ(ends.points.back(), at_node);
         EXPECT_TRUE(ends.tip_at_end);
         EXPECT_EQ(ends.pieces.back().points.back(), at_node);
         EXPECT_EQ(ends.pieces.back().exit, 2.0);
-        const CrackPath bent = resolve_crack(square_mesh(4), 0, {from, at_node + off, at_node - off, {0.9, 0.55}});
+        const CrackPath bent = path_on(square_mesh(4), {from, at_node + off, at_node - off, {0.9, 0.55}});
         EXPECT_EQ(bent.points, (Points{from, at_node, {0.9, 0.55}}));
         for (const CrackPiece& piece : bent.pieces) EXPECT_EQ(piece.points.size(), 2U);
     }
     const Vec2 beyond = at_node + Vec2(0.25 * 1.1e-3, 0.0);
-    EXPECT_EQ(resolve_crack(square_mesh(4), 0, {from, beyond}).points.back(), beyond);
+    EXPECT_EQ(path_on(square_mesh(4), {from, beyond}).points.back(), beyond);
     const Points tiny{at_node, at_node + Vec2(hair, hair)};
-    EXPECT_EQ(resolve_crack(square_mesh(4), 0, tiny).points, tiny);  // nothing else would be left of it
+    EXPECT_EQ(path_on(square_mesh(4), tiny).points, tiny);  // nothing else would be left of it
 }
 
 // Whatever side rounding puts it on: the element that holds a tip on its edge has its functions.
 TEST(CrackPath, PutsATipBesideAnEdgeOntoIt) {
     for (const double hair : {0.0, 1e-16, 1e-11, -1e-11, 1e-7, -1e-7}) {
-        const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.1, 0.3}, {0.6, 0.5 + hair}});
+        const CrackPath path = path_on(square_mesh(4), {{0.1, 0.3}, {0.6, 0.5 + hair}});
         EXPECT_EQ(path.points.back(), Vec2(0.6, 0.5)) << hair;
         EXPECT_EQ(path.pieces.back().element, 6) << hair;
         EXPECT_GE(path.pieces.back().exit, 0.0) << hair;
@@ -200,15 +200,15 @@ TEST(CrackPath, PutsATipBesideAnEdgeOntoIt) {
 // A hair beside an edge that it runs along, a crack would cut a sliver off the element there.
 TEST(CrackPath, PutsPointsBesideAnEdgeOntoIt) {
     for (const double hair : {1e-7, -1e-7}) {
-        const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.5}, {0.6, 0.5 + hair}});
+        const CrackPath path = path_on(square_mesh(4), {{0.0, 0.5}, {0.6, 0.5 + hair}});
         EXPECT_EQ(path.points.back(), Vec2(0.6, 0.5));
         for (const CrackPiece& piece : path.pieces) EXPECT_GE(piece.neighbour, 0);
     }
     for (const double hair : {1e-7, 3e-12, 1e-16})  // a kink in mid-edge
-        EXPECT_EQ(resolve_crack(square_mesh(4), 0, {{0.0, 0.5}, {0.6, 0.5 + hair}, {0.9, 0.6}}).pieces[2].points.back(),
+        EXPECT_EQ(path_on(square_mesh(4), {{0.0, 0.5}, {0.6, 0.5 + hair}, {0.9, 0.6}}).pieces[2].points.back(),
                   Vec2(0.6, 0.5));
     const Vec2 tip(0.6, 0.5 + 1e-5);
-    EXPECT_EQ(resolve_crack(square_mesh(4), 0, {{0.1, 0.3}, tip}).points.back(), tip);
+    EXPECT_EQ(path_on(square_mesh(4), {{0.1, 0.3}, tip}).points.back(), tip);
 }
 
 // In a body that is turned, the ends of a crack across it lie on the outline to rounding only.
@@ -217,7 +217,7 @@ TEST(CrackPath, AnEndOnASlantedOutlineIsAMouth) {
         Mesh mesh = square_mesh(4);
         const Eigen::Rotation2Dd turn(0.031 * k);
         for (Vec2& node : mesh.nodes) node = turn * node;
-        const CrackPath path = resolve_crack(mesh, 0, {turn * Vec2(0.0, 0.3 + 1e-3 * k), turn * Vec2(0.55, 0.4)});
+        const CrackPath path = path_on(mesh, {turn * Vec2(0.0, 0.3 + 1e-3 * k), turn * Vec2(0.55, 0.4)});
         EXPECT_FALSE(path.tip_at_start) << k;
         EXPECT_TRUE(path.tip_at_end);
         EXPECT_GE(path.pieces.front().entry, 0.0);
@@ -225,7 +225,7 @@ TEST(CrackPath, AnEndOnASlantedOutlineIsAMouth) {
 }
 
 TEST(CrackPath, BothTipsInsideOneElement) {
-    const CrackPath path = resolve_crack(square_mesh(3), 0, {{0.4, 0.5}, {0.6, 0.55}});
+    const CrackPath path = path_on(square_mesh(3), {{0.4, 0.5}, {0.6, 0.55}});
     ASSERT_EQ(path.pieces.size(), 1U);
     EXPECT_TRUE(path.tip_at_start && path.tip_at_end);
     EXPECT_EQ(path.pieces[0].element, 4);
@@ -234,14 +234,14 @@ TEST(CrackPath, BothTipsInsideOneElement) {
 }
 
 TEST(CrackPath, TipOnAnEdgeEndsThere) {
-    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.4}, {0.5, 0.4}});
+    const CrackPath path = path_on(square_mesh(4), {{0.0, 0.4}, {0.5, 0.4}});
     ASSERT_EQ(path.pieces.size(), 2U);
     EXPECT_TRUE(path.tip_at_end);
     EXPECT_NEAR(path.pieces.back().exit, 1.6, 1e-12);
 }
 
 TEST(CrackPath, KeepsKinksInsideElements) {
-    const CrackPath path = resolve_crack(square_mesh(3), 0, {{0.0, 0.5}, {0.45, 0.5}, {0.9, 0.6}});
+    const CrackPath path = path_on(square_mesh(3), {{0.0, 0.5}, {0.45, 0.5}, {0.9, 0.6}});
     ASSERT_EQ(path.pieces.size(), 3U);
     ASSERT_EQ(path.pieces[1].points.size(), 3U);
     EXPECT_EQ(path.pieces[1].points[1], Vec2(0.45, 0.5));
@@ -250,13 +250,13 @@ TEST(CrackPath, KeepsKinksInsideElements) {
 
 TEST(CrackPath, RefusesWhatTheMeshCannotHold) {
     const Mesh mesh = square_mesh(4);
-    EXPECT_THROW(resolve_crack(mesh, 0, {{1.2, 0.5}, {1.6, 0.5}}), CaseError);              // outside
-    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.4}, {0.4, 0.4}, {0.0, 0.3}}), CaseError);  // one element twice
-    EXPECT_THROW(resolve_crack(mesh, 0, {{0.1, 0.4}, {0.55, 0.5}, {0.7, 0.5}, {0.9, 0.6}}),
-                 CaseError);                                                                // comes and goes
-    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.0}, {1.0, 0.0}}), CaseError);              // along the boundary
-    EXPECT_THROW(resolve_crack(mesh, 0, {{0.1, 0.4}, {0.6, 0.4}, {0.5, 0.6}}), CaseError);  // turns back
-    EXPECT_NO_THROW(resolve_crack(mesh, 0, {{0.1, 0.4}, {0.6, 0.4}, {0.6, 0.6}}));
+    EXPECT_THROW(path_on(mesh, {{1.2, 0.5}, {1.6, 0.5}}), CaseError);              // outside
+    EXPECT_THROW(path_on(mesh, {{0.0, 0.4}, {0.4, 0.4}, {0.0, 0.3}}), CaseError);  // one element twice
+    EXPECT_THROW(path_on(mesh, {{0.1, 0.4}, {0.55, 0.5}, {0.7, 0.5}, {0.9, 0.6}}),
+                 CaseError);                                                       // comes and goes
+    EXPECT_THROW(path_on(mesh, {{0.0, 0.0}, {1.0, 0.0}}), CaseError);              // along the boundary
+    EXPECT_THROW(path_on(mesh, {{0.1, 0.4}, {0.6, 0.4}, {0.5, 0.6}}), CaseError);  // turns back
+    EXPECT_NO_THROW(path_on(mesh, {{0.1, 0.4}, {0.6, 0.4}, {0.6, 0.6}}));
 }
 
 // From the node where it comes to the edge up to the bend it has an element on either side, and then cuts one of them.
@@ -265,7 +265,7 @@ TEST(CrackPath, LeavesAnEdgeInItsMiddle) {
         for (const bool backwards : {false, true}) {
             Points points{{0.0, 0.5}, {0.6, 0.5}, end};
             if (backwards) std::ranges::reverse(points);
-            CrackPath path = resolve_crack(square_mesh(4), 0, points);
+            CrackPath path = path_on(square_mesh(4), points);
             ASSERT_EQ(path.pieces.size(), 4U);
             if (backwards) std::ranges::reverse(path.pieces);
             const CrackPiece &along = path.pieces[2], &last = path.pieces[3];
@@ -286,8 +286,7 @@ TEST(CrackPath, LeavesASlantedEdgeInItsMiddle) {
     for (int k = 1; k < 20; ++k) {
         const Vec2 bend = slanted(0.5, 0.25 + 0.0125 * k);
         for (const double to : {0.05, -0.05}) {
-            const CrackPath path =
-                resolve_crack(mesh, 0, {slanted(0.1, 0.15), slanted(0.5, 0.25), bend, bend + Vec2(to, 0.05)});
+            const CrackPath path = path_on(mesh, {slanted(0.1, 0.15), slanted(0.5, 0.25), bend, bend + Vec2(to, 0.05)});
             const auto along = std::ranges::find_if(path.pieces, [](const CrackPiece& p) { return p.neighbour >= 0; });
             ASSERT_NE(along, path.pieces.end()) << k;
             EXPECT_LT((along->points.back() - bend).norm(), 1e-12) << k;

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "common/crack/crack_crossings.hpp"
 #include "tests/support/cracked_mesh.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::test {
 namespace {
 
 // With hanging nodes, some of which have jumps of their own alone, and functions that many nodes share.
 TEST(NodesOfUnknowns, AreThoseThatTheyAreNumberedBy) {
-    const Mesh finer = coarse::refine(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
+    const Mesh finer = refined(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
     int gathered = 0, jumps_alone = 0;
     for (const Mesh& body : {square_mesh(16), finer}) {
         for (double y = 0.26; y < 0.7; y += 0.017) {
@@ -49,7 +49,7 @@ TEST(TermsOfNodes, AreEmptyButOfFewNodes) {
 
 // With hanging nodes, which follow, and with and without functions of a tip, which goes elsewhere.
 TEST(SameUnknowns, AreThoseOfTheSameNodeAndFunction) {
-    const Mesh body = coarse::refine(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
+    const Mesh body = refined(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
     for (const int tip_functions : {0, 6}) {
         const EnrichedMesh mesh = cracked(body, {{-1.0, 0.47}, {0.6, 0.47}}, tip_functions),
                            other = cracked(body, {{-1.0, 0.47}, {0.5, 0.47}}, tip_functions);
@@ -73,7 +73,7 @@ TEST(SameUnknowns, AreThoseOfTheSameNodeAndFunction) {
 
 // Which moves the point behind the tip, and by that its direction. A zone that was extended lost what they held.
 TEST(SameUnknowns, AreThoseOfATipWhoseMouthAFinerMeshHoldsElsewhere) {
-    const Mesh body = square_mesh(4), finer = coarse::refine(body, {{{0.0, 0.25}, {0.0, 0.25}, 0.01, 1, 0.0}}).mesh;
+    const Mesh body = square_mesh(4), finer = refined(body, {{{0.0, 0.25}, {0.0, 0.25}, 0.01, 1, 0.0}}).mesh;
     const std::vector<Vec2> points{{0.0, 0.25 + 0.6 * snap_fraction * 0.25}, {0.85, 0.4}};
     const EnrichedMesh before = cracked(body, points, 1), after = cracked(finer, points, 1);
     ASSERT_NE(before.tips[0].direction, after.tips[0].direction);

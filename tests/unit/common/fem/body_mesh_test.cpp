@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <type_traits>
 
 #include "common/fem/centre.hpp"
 #include "tests/support/refined_squares.hpp"
@@ -11,8 +12,11 @@
 namespace stria::test {
 namespace {
 
+// A Mesh that became one in passing was looked up anew in every growth step.
+static_assert(!std::is_convertible_v<Mesh, BodyMesh> && std::is_convertible_v<BodyMesh, const Mesh&>);
+
 TEST(BodyMesh, KnowsTheElementsAboutNodes) {
-    const BodyMesh mesh = refined_square(6, {0.4, 0.6}, 2, 0.2, 0.0);
+    const BodyMesh mesh(refined_square(6, {0.4, 0.6}, 2, 0.2, 0.0));
     for (int node = 0; node < std::ssize(mesh->nodes); ++node) {
         std::set<int> expected;
         for (int e = 0; e < std::ssize(mesh->elements); ++e)
@@ -29,7 +33,7 @@ TEST(BodyMesh, MissesNoElementNearABox) {
         Mesh square = refined_square(6, {0.4, 0.6}, 3, 0.2, 0.0);
         if (slanted)
             for (Vec2& x : square.nodes) x = Vec2(20.0 * x.x() + 3.0 * x.y(), x.y() - 7.0);
-        const BodyMesh mesh = square;
+        const BodyMesh mesh(square);
         std::size_t found = 0, asked = 0;
         for (int e = 0; e < std::ssize(mesh->elements); e += 3) {
             const Vec2 place = centre(*mesh, e);
@@ -51,7 +55,7 @@ TEST(BodyMesh, MissesNoElementNearABox) {
 }
 
 TEST(BodyMesh, AnswersFromOutside) {
-    const BodyMesh mesh = square_mesh(4), none;
+    const BodyMesh mesh(square_mesh(4)), none;
     EXPECT_EQ(mesh.elements_near({-5.0, 7.0}, 100.0).size(), 16U);
     EXPECT_TRUE(none.elements_near({0.0, 0.0}, 1.0).empty());
 }

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "tests/support/cracked_mesh.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria {
 namespace {
@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Height, MovedFieldAt, testing::Values(0.47, 0.5));
 
 TEST_P(MovedFieldAt, GoesAlongWithTheTip) {
     const double y = GetParam();
-    const Mesh body = coarse::refine(test::square_mesh(8), {{{0.45, y}, {0.6, y}, 0.15, 2, 0.0}}).mesh;
+    const Mesh body = test::refined(test::square_mesh(8), {{{0.45, y}, {0.6, y}, 0.15, 2, 0.0}}).mesh;
     const auto with_crack_to = [&](double x) { return test::cracked(body, {{-1.0, y}, {x, y}}, 0); };
     const EnrichedMesh from = with_crack_to(0.50), to = with_crack_to(0.53125);
     const TipMoves moves = TipMoves::between(from, to).value();
@@ -114,7 +114,7 @@ TEST(MovedField, IsThatOfTheNearestTip) {
 }
 
 TEST(MovedField, StaysAsItIsWhereNoTipMoves) {
-    const Mesh body = coarse::refine(test::square_mesh(8), {{{0.5, 0.47}, {0.5, 0.47}, 0.1, 2, 0.0}}).mesh;
+    const Mesh body = test::refined(test::square_mesh(8), {{{0.5, 0.47}, {0.5, 0.47}, 0.1, 2, 0.0}}).mesh;
     const EnrichedMesh mesh = test::cracked(body, {{-1.0, 0.47}, {0.5, 0.47}}, 0);
     const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(mesh.unknowns, -1.0, 1.0).array().sin();
     const Eigen::VectorXd moved = MovedField(mesh, mesh, TipMoves::between(mesh, mesh).value()).of(u);
@@ -131,7 +131,7 @@ TEST(MovedField, StaysAsItIsWhereNoTipMoves) {
 // Where small elements give way to large ones no move takes the mesh onto itself.
 TEST(MovedField, WantsTheSameMeshAboutTheTip) {
     const auto with_disk = [](double x) {
-        const Mesh body = coarse::refine(test::square_mesh(8), {{{x, 0.47}, {x, 0.47}, 0.1, 2, 0.0}}).mesh;
+        const Mesh body = test::refined(test::square_mesh(8), {{{x, 0.47}, {x, 0.47}, 0.1, 2, 0.0}}).mesh;
         return test::cracked(body, {{-1.0, 0.47}, {x, 0.47}}, 0);
     };
     EXPECT_TRUE(TipMoves::between(with_disk(0.4), with_disk(0.4)).has_value());

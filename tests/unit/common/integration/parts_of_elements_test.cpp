@@ -4,11 +4,11 @@
 
 #include <random>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "tests/support/cracked_mesh.hpp"
 #include "tests/support/plates.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria {
 namespace {
@@ -45,16 +45,15 @@ Compared compare(unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const Vec2 first(0.2 + 0.5 * unit(random), 0.2 + 0.6 * unit(random)), next(0.3 + 0.5 * unit(random), unit(random));
-    const Mesh start =
-        coarse::refine(seed % 2 == 0 ? test::distorted(test::square_mesh(7), 0.02) : test::square_mesh(7),
-                       {{first, first, 0.15, 2, 0.0}})
-            .mesh;
+    const Mesh start = test::refined(seed % 2 == 0 ? test::distorted(test::square_mesh(7), 0.02) : test::square_mesh(7),
+                                     {{first, first, 0.15, 2, 0.0}})
+                           .mesh;
     const double angle = 0.6 * (unit(random) - 0.5);
     const Vec2 along(std::cos(angle), std::sin(angle)), on_crack(0.5, 0.3 + 0.4 * unit(random));
     std::vector<Vec2> points{on_crack - 2.0 * along, on_crack + (seed % 3 == 0 ? 2.0 : 0.2) * along};
     if (seed % 10 == 1) points = {{-1.0, 3.0 / 7.0}, {seed % 3 == 0 ? 2.0 : 0.5, 3.0 / 7.0}};  // along element edges
     const EnrichedMesh before = test::cracked(start, points, 0);
-    const coarse::RefinedMesh finer = coarse::refine(start, {{next, next, 0.2, 3, 0.0}}, about_tips(before));
+    const coarse::RefinedMesh finer = test::refined(start, {{next, next, 0.2, 3, 0.0}}, about_tips(before));
     const EnrichedMesh now = test::cracked(finer.mesh, points, 0);
     const Eigen::VectorXd u = test::random_vector(before.unknowns, 1.0, seed);
     const Eigen::VectorXd v =

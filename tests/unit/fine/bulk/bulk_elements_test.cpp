@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "tests/support/cracked_mesh.hpp"
 #include "tests/support/plates.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::test {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 using fine::BulkElements;
 
 TEST(BulkElements, HaveTheUnknownsOfTheirFunctionsWhereTheyHaveStayed) {
-    const Mesh body = coarse::refine(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
+    const Mesh body = refined(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
     const auto zone_of = [&](double tip, int begin) {
         const EnrichedMesh whole = cracked(body, {{-1.0, 0.47}, {tip, 0.47}}, 0);
         std::vector<int> elements;

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "coarse/model/mesh_refinement.hpp"
 #include "common/crack/crack_crossings.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "tests/support/cracked_mesh.hpp"
+#include "tests/support/refined_squares.hpp"
 
 namespace stria::fine {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 // thousandth of an element.
 TEST(FrozenTips, KeepTheirJumpWhereAFinerMeshHoldsTheCrackElsewhere) {
     const Mesh body = test::square_mesh(4),
-               finer = coarse::refine(body, {{{0.0, 0.25}, {0.0, 0.25}, 0.01, 1, 0.0}}).mesh;
+               finer = test::refined(body, {{{0.0, 0.25}, {0.0, 0.25}, 0.01, 1, 0.0}}).mesh;
     const Vec2 mouth(0.0, 0.25 + 0.6 * snap_fraction * 0.25);
     const EnrichedMesh before = test::cracked(body, {mouth, {0.85, 0.4}}, 1),
                        after = test::cracked(finer, {mouth, {0.85, 0.4}}, 1);
