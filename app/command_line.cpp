@@ -32,9 +32,9 @@ void add_run_options(CLI::App& app, RunOptions& options) {
     add_case(app, options);
     app.add_option("-o,--output", options.output_directory, "Folder of the results; default runs/<case name>")
         ->type_name("DIR");
-    app.add_option("--mode", options.mode,
-                   "Two programs over MPI, two components in this one, or one model; default mpi")
-        ->check(CLI::IsMember({"mpi", "inprocess", "monolithic"}))
+    app.add_option_function<std::string>(
+           "--mode", [&](const std::string& word) { options.mode = run_mode(word, "--mode"); },
+           "Two programs over MPI, two components in this one, or one model; default mpi")
         ->type_name("mpi|inprocess|monolithic");
     app.add_option("--fine", options.fine_ranks, "Number of fine ranks")
         ->type_name("N")
@@ -121,7 +121,7 @@ void check_command(CLI::App& app, int argc, const char* const* argv) {
 void check_run(const RunOptions& options) {
     if (options.max_seconds && !(*options.max_seconds > 0.0 && std::isfinite(*options.max_seconds)))
         throw CaseError(fmt::format("--max-seconds {}: must be a number > 0", *options.max_seconds));
-    if (options.fine_ranks > 1 && options.mode == "monolithic")
+    if (options.fine_ranks > 1 && options.mode == RunMode::Monolithic)
         throw CaseError(fmt::format("--fine {}: mode monolithic has no fine ranks", options.fine_ranks));
 }
 

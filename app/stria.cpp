@@ -17,7 +17,7 @@ namespace {
 int run(stria::RunOptions options) {
     stria::claim_output_directory(options);
     return stria::report::with_report(options, [&] {
-        if (options.mode != "mpi") return stria::run_in_process(options);
+        if (options.mode != stria::RunMode::Mpi) return stria::run_in_process(options);
         options.force = true;  // the folder is ours now
         return stria::launch(options);
     });

@@ -45,7 +45,7 @@ coarse::Scene scene_of(const RunOptions& options, const Case& input,
 }
 
 CoarseRun::CoarseRun(const RunOptions& options, const Case& input, Manner manner)
-    : options_(options), directory_(options.output_directory), lock_(directory_), manner_(std::move(manner)),
+    : options_(options), directory_(options.output_directory), lock_(directory_), manner_(manner),
       mesh_file_(input.mesh.file ? checksum_of(*input.mesh.file) : ""), scene_(scene_of(options, input)),
       mesh_s_(seconds()), progress_(input, options.quiet, options.verbose, manner_.terminal),
       mark_(coarse::mark_of(scene_)) {
@@ -201,7 +201,7 @@ void CoarseRun::summarise(coarse::RunStatus status, const Course& course) const 
     coarse::Summary summary = summary_of(*course.analysis, *course.recorder, course.fine);
     summary.status = status;
     summary.version = version_text();
-    summary.mode = manner_.mode;
+    summary.mode = to_text(manner_.mode);
     summary.ranks = manner_.ranks;
     summary.mesh_file = mesh_file_;
     summary.coarse_unknowns = sizes_.unknowns;

@@ -27,7 +27,7 @@ coarse::Scene scene_of(const RunOptions& options, const Case& input,
 class CoarseRun {
 public:
     struct Manner {
-        std::string mode;
+        RunMode mode = RunMode::Mpi;
         int ranks = 1;
         bool terminal = false;  // the user watches on a terminal
     };

@@ -147,8 +147,8 @@ void claim_output_directory(RunOptions& options) {
 }
 
 RunParts parts_of(const RunOptions& options, bool with_fine) {
-    if (!with_fine || options.mode == "monolithic") return {};
-    return {options.fine_ranks, options.mode == "mpi" ? std::max(2, options.fine_ranks) : 1};
+    if (!with_fine || options.mode == RunMode::Monolithic) return {};
+    return {options.fine_ranks, options.mode == RunMode::Mpi ? std::max(2, options.fine_ranks) : 1};
 }
 
 WayOfMessages way_of_messages(int processes, std::uint64_t room) {
@@ -196,7 +196,7 @@ int launch(const RunOptions& options) {
 std::vector<std::string> run_command(const RunOptions& options) {
     std::vector<std::string> command = {programs_folder() + "/stria", "run"};
     append_common_options(options, command);
-    command.insert(command.end(), {"--mode", options.mode, "--fine", std::to_string(options.fine_ranks)});
+    command.insert(command.end(), {"--mode", to_text(options.mode), "--fine", std::to_string(options.fine_ranks)});
     if (!options.report) command.emplace_back("--no-report");
     return command;
 }

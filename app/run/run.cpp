@@ -38,13 +38,13 @@ int run_coarse_with_mpi(const RunOptions& options) {
         meet_and_part(coupling::Role::Coarse, input);
         if (coupling::under_mpirun()) interrupt_with_parent();  // MPI has ended: nothing else tells of mpirun's end
         coarse::CondensedFactory alone(nullptr, input);
-        return CoarseRun(options, input, {"mpi", 1, users_terminal()}).perform(alone, nullptr);
+        return CoarseRun(options, input, {RunMode::Mpi, 1, users_terminal()}).perform(alone, nullptr);
     }
     const coupling::MpiSession session(coupling::Role::Coarse, digest(input));
     try {
         FineSide fine(input, session, options.own_rank);
         coarse::CondensedFactory factory(&fine.scale(), input);
-        return CoarseRun(options, input, {"mpi", 1 + session.peers(), users_terminal()}).perform(factory, &fine);
+        return CoarseRun(options, input, {RunMode::Mpi, 1 + session.peers(), users_terminal()}).perform(factory, &fine);
     } catch (const CaseError&) {
         throw;  // the conversation has ended in order: both sides leave
     } catch (const NumericalFailure&) {
@@ -64,7 +64,7 @@ int run_in_process(const RunOptions& options) {
         coarse::CondensedFactory alone(nullptr, input);
         return run.perform(alone, nullptr);
     }
-    if (options.mode == "monolithic") {
+    if (options.mode == RunMode::Monolithic) {
         MonolithicFactory factory(input);
         return run.perform(factory, nullptr);
     }

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "app/results/run_mode.hpp"
+
 namespace stria {
 
 struct RunOptions {
     std::string case_path;
     std::string output_directory;  // empty: runs/<name of the case>
-    std::string mode = "mpi";      // mpi | inprocess | monolithic
+    RunMode mode = RunMode::Mpi;
     int fine_ranks = 1;
     bool own_rank = false;  // of stria-coarse: one fine rank more lives in its process
     bool force = false;     // write into a folder that holds results

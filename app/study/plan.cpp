@@ -1,7 +1,6 @@
 #include "app/study/plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -101,10 +100,7 @@ RunOptions run_options(const RunOptions& shared, const Settings& settings) {
     RunOptions options = shared;
     for (const Setting& setting : settings) {
         if (setting.key == mode_key) {
-            constexpr std::array<const char*, 3> modes = {"mpi", "inprocess", "monolithic"};
-            if (std::ranges::count(modes, setting.value) == 0)
-                throw CaseError(fmt::format("mode={}: must be mpi, inprocess or monolithic", setting.value));
-            options.mode = setting.value;
+            options.mode = run_mode(setting.value, mode_key);
         } else if (setting.key == ranks_key) {
             const std::string complaint = fmt::format("fine_ranks={}: must be a whole number > 0", setting.value);
             options.fine_ranks = static_cast<int>(number_of(setting.value, complaint));

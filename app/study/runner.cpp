@@ -65,7 +65,7 @@ Found found_in(const RunOptions& options) {
     const JsonObject summary = read_json(folder / result_files::summary);
     if (summary.words.empty()) return Found::Begun;  // it is written last
     const auto [fine_ranks, processes] = parts_of(options, needs_fine(input));
-    if (summary.word("version") != version_text() || summary.word("mode") != options.mode ||
+    if (summary.word("version") != version_text() || summary.word("mode") != to_text(options.mode) ||
         summary.number("ranks") != processes || summary.number("fine_ranks") != fine_ranks)
         return Found::Nothing;
     // The case names its mesh: what is in the file may be another one since.

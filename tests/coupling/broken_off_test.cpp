@@ -118,7 +118,7 @@ std::string run_of(const std::string& folder, bool resume,
     fine::FineModel fine(input);
     Factory factory(&fine, input);
     try {
-        CoarseRun(options, input, {"inprocess", 1, false}).perform(factory, nullptr);
+        CoarseRun(options, input, {RunMode::InProcess, 1, false}).perform(factory, nullptr);
     } catch (const std::runtime_error& failure) {
         return failure.what();
     }

@@ -50,18 +50,18 @@ TEST(WayOfMessages, IsTheLoopbackInterfaceWhereSharedMemoryIsShort) {
 }
 
 TEST(PartsOfARun, AreAsManyAsItsModeHas) {
-    const auto counted = [](const char* mode, int fine_ranks, bool with_fine = true) {
+    const auto counted = [](RunMode mode, int fine_ranks, bool with_fine = true) {
         RunOptions options;
         options.mode = mode;
         options.fine_ranks = fine_ranks;
         const RunParts parts = parts_of(options, with_fine);
         return std::pair(parts.fine_ranks, parts.processes);
     };
-    EXPECT_EQ(counted("mpi", 1), std::pair(1, 2));
-    EXPECT_EQ(counted("mpi", 3), std::pair(3, 3));
-    EXPECT_EQ(counted("mpi", 3, false), std::pair(0, 1));
-    EXPECT_EQ(counted("inprocess", 3), std::pair(3, 1));
-    EXPECT_EQ(counted("monolithic", 1), std::pair(0, 1));
+    EXPECT_EQ(counted(RunMode::Mpi, 1), std::pair(1, 2));
+    EXPECT_EQ(counted(RunMode::Mpi, 3), std::pair(3, 3));
+    EXPECT_EQ(counted(RunMode::Mpi, 3, false), std::pair(0, 1));
+    EXPECT_EQ(counted(RunMode::InProcess, 3), std::pair(3, 1));
+    EXPECT_EQ(counted(RunMode::Monolithic, 1), std::pair(0, 1));
 }
 
 }  // namespace
