@@ -12,7 +12,7 @@ Eigen::VectorXd near_displacement(const Structure& body, const LoadFactors& fact
 
 /// `unit`: at the load factor 1.
 NominalFields fields_of(const Structure& body, Eigen::VectorXd unit) {
-    const LinearReading& mean = body.loads().mean_displacement();
+    const LinearReading& mean = body.loads().displacement_reading();
     NominalFields fields{.unit = std::move(unit),
                          .initial = {},
                          .of_cases = {},

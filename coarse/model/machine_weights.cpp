@@ -31,7 +31,7 @@ Eigen::VectorXd weights_of_displacement(const std::optional<LoadedBoundary>& loa
                                         const EnrichedMesh& enriched, const ForcesOnUnknowns& forces,
                                         const LoadsOfCase& loads) {
     if (!loaded || !loaded->has_direction()) return Eigen::VectorXd::Zero(enriched.unknowns);
-    const std::vector<NodalWeight> mean = mean_displacement(mesh, *loaded);
+    const std::vector<NodalWeight> mean = nodal_weights_of_mean(mesh, *loaded);
     if (loaded->by_force && loaded->force > 0.0) {
         const bool is_pin = mesh.pins.contains(loaded->name);
         const std::vector<AppliedForce> there =

@@ -133,7 +133,7 @@ void put_loads_on_unknowns(Scene& scene) {
     scene.prescribed = prescribed_unknowns(scene.mesh, scene.enriched, scene.loads, scene.free_motions);
     scene.observed = observed_unknowns(scene);
     const std::optional<LoadedBoundary> loaded = loaded_boundary(scene.mesh, scene.input, scene.loads);
-    scene.mean_displacement = weights_of_displacement(loaded, scene.mesh, scene.enriched, forces, scene.loads);
+    scene.displacement_weights = weights_of_displacement(loaded, scene.mesh, scene.enriched, forces, scene.loads);
     scene.pull = weights_of_reactions(loaded, scene.enriched, scene.prescribed);
 }
 

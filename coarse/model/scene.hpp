@@ -36,8 +36,8 @@ struct Scene {
     UnknownSet observed;
 
     // What a testing machine reads (machine_weights.hpp).
-    Eigen::VectorXd mean_displacement;  // of the loaded boundary: weights_of_displacement()
-    Eigen::VectorXd pull;               // likewise: weights_of_reactions()
+    Eigen::VectorXd displacement_weights;  // of the loaded boundary, on all unknowns: weights_of_displacement()
+    Eigen::VectorXd pull;                  // likewise: weights_of_reactions()
 
     /// The material of an element, or at a tip.
     [[nodiscard]] const Elasticity& elastic(int element) const { return materials.elastic(mesh->material_of(element)); }

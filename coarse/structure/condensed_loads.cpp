@@ -123,7 +123,7 @@ CondensedLoads::CondensedLoads(const CoarseElements& elements, const LeafNumberi
       initial_(reduce_initial_load(elements, numbering, leaf, unit_)), cases_(reduce_cases(elements, numbering, leaf)) {
     const Scene& scene = elements.scene();
     const Reader reader{elements, numbering, leaf, unit_, initial_, cases_};
-    mean_displacement_ = reader.displacement(scene.mean_displacement);
+    displacement_reading_ = reader.displacement(scene.displacement_weights);
     Eigen::VectorXd force = scene.unit_force, imposed(std::ssize(scene.prescribed));
     for (std::size_t k = 0; k < scene.prescribed.size(); ++k) {
         imposed[static_cast<Eigen::Index>(k)] = scene.prescribed[k].value;

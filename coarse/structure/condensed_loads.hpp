@@ -32,7 +32,7 @@ public:
     [[nodiscard]] const ReducedLoad& initial() const { return initial_; }
 
     /// Mean displacement of the loaded boundary along its direction, mm.
-    [[nodiscard]] const LinearReading& mean_displacement() const { return mean_displacement_; }
+    [[nodiscard]] const LinearReading& displacement_reading() const { return displacement_reading_; }
 
     /// Force with which the supports hold the loaded boundary along its direction, N/mm, as far as coarse elements pull
     /// at it. Zero where forces load that boundary.
@@ -52,7 +52,7 @@ private:
 
     ReducedLoad unit_, initial_;
     std::vector<ReducedLoad> cases_;
-    LinearReading mean_displacement_, holding_force_;
+    LinearReading displacement_reading_, holding_force_;
     WorkReadings work_;
     std::vector<WorkReadings> work_of_cases_;
     double unit_energy_ = 0.0;     // twice the energy of the load factor 1 with the free places held, N

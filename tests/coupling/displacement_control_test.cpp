@@ -76,7 +76,7 @@ protected:
             EXPECT_TRUE(increment.newton.converged) << increment.newton.failure << increment.newton.table();
             increment.load_factor = equilibrium->load_factor();
             increment.displacement = equilibrium->structure_displacement();
-            mean_.push_back(scene.mean_displacement.dot(increment.displacement));
+            mean_.push_back(scene.displacement_weights.dot(increment.displacement));
             increment.zone = equilibrium->commit({});
             history.increments.push_back(increment);
         }
@@ -148,10 +148,10 @@ TEST(ElasticDisplacementControl, NeedsNoNewton) {
     coarse::CondensedFactory factory(nullptr, input);
     const RunHistory run = run_analysis(input, factory);
     const coarse::Scene scene = coarse::refined_scene(input);
-    const double compliance = coarse::Structure(scene).loads().mean_displacement().per_load_factor;
+    const double compliance = coarse::Structure(scene).loads().displacement_reading().per_load_factor;
     EXPECT_EQ(run.increments[0].newton.count(), 1);
     EXPECT_NEAR(run.increments[0].load_factor, 0.1 / compliance, 1e-12 * 0.1 / compliance);
-    EXPECT_NEAR(scene.mean_displacement.dot(run.increments[0].displacement), 0.1, 1e-12);
+    EXPECT_NEAR(scene.displacement_weights.dot(run.increments[0].displacement), 0.1, 1e-12);
     EXPECT_NEAR(run.increments[0].tips[0].K_I, run.nominal[0].K_I * run.increments[0].load_factor, 1e-6);
 }
 

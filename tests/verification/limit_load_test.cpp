@@ -69,7 +69,7 @@ Case plastic(const Limit& limit, double at_tip) {
 double stretch(Case& input, double load, double factor, int increments) {
     const ElasticSolution elastic(input);
     const double unit = coarse::loaded_boundary(elastic.scene.mesh, input, elastic.scene.loads)->resultant.norm();
-    const double largest = factor * load / unit * elastic.scene.mean_displacement.dot(elastic.u);
+    const double largest = factor * load / unit * elastic.scene.displacement_weights.dot(elastic.u);
     input.load = {.steps = 2 * increments,
                   .blocks = {{.cycles = 0, .max = largest, .min = 0.0}},
                   .control = Control::Displacement};

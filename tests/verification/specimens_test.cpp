@@ -162,7 +162,7 @@ TEST(Specimens, CompliancesOfTheCompactSpecimenDoNotGoByTheElement) {
             const auto lines = coarse::compare_with_handbook(solution.nominal);
             line.take(lines[2].own);
             face.take(lines[3].own);
-            pins.take(plane_modulus * solution.scene.mean_displacement.dot(solution.u));
+            pins.take(plane_modulus * solution.scene.displacement_weights.dot(solution.u));
         }
     std::cout << fmt::format("line {} to {}, face {} to {}, pins {} to {}\n", line.low, line.high, face.low, face.high,
                              pins.low, pins.high);
@@ -192,7 +192,7 @@ TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     ASSERT_TRUE(loaded);
     EXPECT_LT((loaded->resultant - Vec2(0.0, 1.0)).norm(), 1e-12);
     // Between the pins a little more than on the load line: they press into their holes.
-    const double between_pins = plane_modulus * solution.scene.mean_displacement.dot(solution.u);
+    const double between_pins = plane_modulus * solution.scene.displacement_weights.dot(solution.u);
     EXPECT_GT(between_pins, coarse::ct_load_line_compliance(0.5));
     EXPECT_LT(between_pins, 1.3 * coarse::ct_load_line_compliance(0.5));
     // The work of the forces is twice the energy.
@@ -221,7 +221,7 @@ double rise_of_compliance(Case input, double a) {
         if (k == 1)
             release = (tip.K_I * tip.K_I + tip.K_II * tip.K_II) / plane_modulus;
         else
-            compliance[k / 2] = scene.mean_displacement.dot(solution.u) / pull;
+            compliance[k / 2] = scene.displacement_weights.dot(solution.u) / pull;
     }
     return pull * pull / 2.0 * (compliance[1] - compliance[0]) / by / release;
 }

@@ -36,7 +36,7 @@ public:
     void begin(const coarse::Target& target, const Predictor& predictor) override {
         const bool by_load = target.control == Control::Load;
         controlled_ = by_load ? coarse::LinearReading::load_factor(scene_.enriched.unknowns)
-                              : coarse::LinearReading{scene_.mean_displacement, 0.0, 0.0};
+                              : coarse::LinearReading{scene_.displacement_weights, 0.0, 0.0};
         target_ = target.value;
         if (!predictor.goes_on) {
             trial_ = committed_;
@@ -196,7 +196,7 @@ public:
             imposed_force += p.value * force;
             for (Eigen::Index c = 0; c < of_cases.size(); ++c) of_cases[c] += p.in_case(c) * force;
         }
-        return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force,
+        return {scene_.displacement_weights.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force,
                 of_cases};
     }
 

@@ -193,7 +193,7 @@ MachineReading CondensedEquilibrium::machine_reading() const {
     const LoadFactors factors = states_.trial().factors();
     const Eigen::VectorXd u = structure_.on_free_places(states_.trial().displacement);
     const CondensedLoads& loads = structure_.loads();
-    MachineReading reading{loads.mean_displacement().at(u, factors), loads.holding_force().at(u, factors),
+    MachineReading reading{loads.displacement_reading().at(u, factors), loads.holding_force().at(u, factors),
                            loads.work().imposed_force.at(u, factors),
                            Eigen::VectorXd::Zero(std::ssize(loads.work_of_cases()))};
     for (Eigen::Index k = 0; k < std::ssize(loads.work_of_cases()); ++k)

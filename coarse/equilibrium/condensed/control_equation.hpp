@@ -15,7 +15,7 @@ public:
     ControlEquation() = default;
     ControlEquation(const Target& target, const CondensedLoads& loads, Eigen::Index free_places)
         : controlled_(target.control == Control::Load ? LinearReading::load_factor(free_places)
-                                                      : loads.mean_displacement()),
+                                                      : loads.displacement_reading()),
           target_(target.value) {}
 
     [[nodiscard]] const LinearReading& controlled() const { return controlled_; }

@@ -94,7 +94,7 @@ std::vector<AppliedForce> applied_forces(const Mesh& mesh, const Loads& loads) {
     return forces;
 }
 
-std::vector<NodalWeight> mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary) {
+std::vector<NodalWeight> nodal_weights_of_mean(const Mesh& mesh, const LoadedBoundary& boundary) {
     std::vector<NodalWeight> sum;
     const auto add = [&](int node, double weight) { sum.push_back({node, weight * boundary.direction}); };
     if (const auto pin = mesh.pins.find(boundary.name); pin != mesh.pins.end()) {

@@ -85,6 +85,6 @@ struct NodalWeight {
 /// Mean displacement of a loaded boundary along its direction: the sum of weight . u over the nodes listed, which may
 /// come more than once. Of a pin: what its force does work on, relative to the opposite pin, as in a machine that holds
 /// that one.
-std::vector<NodalWeight> mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary);
+std::vector<NodalWeight> nodal_weights_of_mean(const Mesh& mesh, const LoadedBoundary& boundary);
 
 }  // namespace stria::coarse

@@ -40,8 +40,8 @@ TEST_F(CondensedLoadsOf, AStructureStoreWhatItsElementsStore) {
 }
 
 TEST_F(CondensedLoadsOf, AStructureReadWhatTheMeshReads) {
-    const double displacement = scene.mean_displacement.dot(u);
-    EXPECT_NEAR(structure.loads().mean_displacement().at(free, load_factor), displacement,
+    const double displacement = scene.displacement_weights.dot(u);
+    EXPECT_NEAR(structure.loads().displacement_reading().at(free, load_factor), displacement,
                 1e-11 * u.lpNorm<Eigen::Infinity>());
     Eigen::VectorXd imposed(std::ssize(scene.prescribed));
     for (std::size_t k = 0; k < scene.prescribed.size(); ++k)
@@ -90,7 +90,7 @@ TEST_F(LoadCasesOf, AStructureStoreWhatItsElementsStore) {
 
 TEST_F(LoadCasesOf, AStructureReadWhatTheMeshReads) {
     const CondensedLoads& loads = structure.loads();
-    EXPECT_NEAR(loads.mean_displacement().at(free, factors), scene.mean_displacement.dot(u),
+    EXPECT_NEAR(loads.displacement_reading().at(free, factors), scene.displacement_weights.dot(u),
                 1e-11 * u.lpNorm<Eigen::Infinity>());
     const Eigen::VectorXd forces = forces_on_prescribed(structure.elements(), u);
     for (Eigen::Index k = 0; k < 2; ++k) {

@@ -76,8 +76,8 @@ TEST_F(Factors, NothingIsInTheMiddleWhereNoCrackGrows) {
 void expect_same_bits(const Structure& a, const Structure& b) {
     EXPECT_EQ(a.tangent(), b.tangent());
     EXPECT_EQ(a.loads().unit().boundary, b.loads().unit().boundary);
-    EXPECT_EQ(a.loads().mean_displacement().weights, b.loads().mean_displacement().weights);
-    EXPECT_EQ(a.loads().mean_displacement().per_load_factor, b.loads().mean_displacement().per_load_factor);
+    EXPECT_EQ(a.loads().displacement_reading().weights, b.loads().displacement_reading().weights);
+    EXPECT_EQ(a.loads().displacement_reading().per_load_factor, b.loads().displacement_reading().per_load_factor);
     const Eigen::VectorXd gamma = Eigen::VectorXd::LinSpaced(std::ssize(b.gamma()), -1e-3, 1e-3);
     EXPECT_EQ(a.expand(gamma, 40.0), b.expand(gamma, 40.0));
 }
@@ -218,7 +218,7 @@ TEST_F(Factors, DoNotDependOnWhatIsStill) {
         some.expand_near(gamma, 1.0, 0.0, near);
         for (const int unknown : some.near_unknowns()) EXPECT_NEAR(near[unknown], u[unknown], 1e-12 * u.norm());
         const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(gamma.size()), held = none.expand(at_rest, 1.0);
-        EXPECT_NEAR(some.loads().mean_displacement().per_load_factor, scene.mean_displacement.dot(held),
+        EXPECT_NEAR(some.loads().displacement_reading().per_load_factor, scene.displacement_weights.dot(held),
                     1e-11 * held.norm());
     }
 }

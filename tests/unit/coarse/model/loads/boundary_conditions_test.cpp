@@ -203,7 +203,8 @@ TEST(LoadedBoundary, IsTheFirstThatCarriesSomething) {
     EXPECT_LT((boundary->resultant - Vec2(12.0, 16.0)).norm(), 1e-14);
 
     double mean = 0.0;  // of u_y = x
-    for (const auto& [node, weight] : mean_displacement(mesh, *boundary)) mean += weight.y() * mesh.nodes[at(node)].x();
+    for (const auto& [node, weight] : nodal_weights_of_mean(mesh, *boundary))
+        mean += weight.y() * mesh.nodes[at(node)].x();
     EXPECT_NEAR(mean, 0.8 * 2.0, 1e-14);
 }
 
@@ -265,7 +266,8 @@ TEST(BoundaryConditions, NodesWithoutEdgesAreHeldAndMoved) {
     EXPECT_EQ(loads.displacements[1].node, 2);
     const auto boundary = loaded_among(with_set, sections);
     ASSERT_TRUE(boundary.has_value());
-    for (const NodalWeight& weight : mean_displacement(with_set, *boundary)) EXPECT_EQ(weight.weight, Vec2(0.0, 0.5));
+    for (const NodalWeight& weight : nodal_weights_of_mean(with_set, *boundary))
+        EXPECT_EQ(weight.weight, Vec2(0.0, 0.5));
     EXPECT_THROW(resolve_boundaries(with_set, {traction_on("feet", 0.0, 1.0)}), CaseError);
 }
 
