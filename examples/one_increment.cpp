@@ -28,7 +28,7 @@ int main(int count, char** words) {
     fine::FineModel zone(input);
     zone.set_patch(coarse::make_patch(scene, structure.in_zone(), structure.gamma(), start));
     coarse::CondensedEquilibrium equilibrium(structure, &zone, input, start, 0.0);
-    const auto newton = coarse::find_equilibrium(equilibrium, {Control::Load, load_factor}, {}, input.solver);
+    const auto newton = coarse::find_equilibrium(equilibrium, {Control::Load, load_factor}, {}, {input.solver});
     if (!newton.converged) return fmt::print(stderr, "{}\n{}", newton.failure, newton.table()), 3;
 
     const Eigen::VectorXd u = equilibrium.structure_displacement();

@@ -131,9 +131,10 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     std::vector<double> elements;
     for (const Tip& tip : tips) elements.push_back(tip_element_edge(present.enriched, tip));
     const auto by = [&](double increment, GrowthDirection direction) {
-        std::vector<double> advances = shares;
-        for (double& advance : advances) advance *= increment;
-        Cracks longer = longer_cracks(present.input.cracks, direction, tips, guides, advances, elements);
+        std::vector<TipAdvance> advances;
+        for (std::size_t t = 0; t < guides.size(); ++t)
+            advances.push_back({tips[t], guides[t].K_I, guides[t].K_II, shares[t] * increment, elements[t]});
+        Cracks longer = longer_cracks(present.input.cracks, direction, advances);
         turn_where_faces_end(longer, present.enriched);
         return longer;
     };

@@ -142,8 +142,8 @@ void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& repo
     model_.rollback();
     if (report.stopped) return;
     if (!controller_.cut())
-        fail(no_equilibrium(step, report, controller_.max_cuts(), effort_.counts.increments,
-                            controller_.reached_target(), model_.load_factor()));
+        fail(no_equilibrium(step, report, controller_.max_cuts(),
+                            {effort_.counts.increments, controller_.reached_target(), model_.load_factor()}));
     listener_.note(fmt::format("{}: {}; the increment is halved", to_text(step.target), report.failure));
 }
 
@@ -173,9 +173,10 @@ std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(const
         stopped = stopped || found.report.stopped;
         return found;
     };
-    auto changes = closure_.changes(step, report, {controller_.reached_target(), model_.load_factor()},
-                                    {step.target, model_.trial_load_factor()}, controller_.part_of_loads(),
-                                    controller_.scale(), try_part);
+    const ClosureMeasurement::End from{controller_.reached_target(), model_.load_factor()};
+    const ClosureMeasurement::End to{step.target, model_.trial_load_factor()};
+    auto changes =
+        closure_.changes(step, report, {from, to, controller_.part_of_loads(), controller_.scale()}, try_part);
     if (tried) model_.rollback();
     if (stopped || (tried && !makes_again(step, report))) return std::nullopt;
     note_lost(step, changes);
@@ -285,8 +286,7 @@ void FatigueAnalysis::cut_release_or_fail(const LoadStep& step, const NewtonRepo
     model_.rollback();
     if (report.stopped) return;
     if (release_.cuts >= controller_.max_cuts()) fail(faces_not_released(step, report, release_, body_.nominal()));
-    listener_.note(
-        fmt::format("after growth at {}: {}; its faces are released in parts", to_text(step.target), report.failure));
+    listener_.note(released_in_parts(step, report));
     release_.halve();
     ++effort_.counts.release_cuts;
 }

@@ -24,24 +24,27 @@ std::string faces_overlap(double load_factor, const coupling::FaceSample& deepes
                        metal_may_flow ? ", and metal flows by it" : "");
 }
 
-std::string last_converged(int increments, const Target& reached, double load_factor, const Target& towards) {
-    if (increments == 0) return "no increment has converged before it";
-    if (towards.control == Control::Load) return "the last converged one reached " + to_text(reached);
-    return fmt::format("the last converged one reached {} at load factor {:.6g}", to_text(reached), load_factor);
+std::string last_converged(const LastConverged& last) {
+    if (last.increments == 0) return "no increment has converged before it";
+    if (last.reached.control == Control::Load) return "the last converged one reached " + to_text(last.reached);
+    return fmt::format("the last converged one reached {} at load factor {:.6g}", to_text(last.reached),
+                       last.load_factor);
 }
 
 }  // namespace
 
-std::string no_equilibrium(const LoadStep& step, const NewtonReport& report, int halvings, int increments,
-                           const Target& reached, double load_factor) {
-    return fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}", increments + 1, step.cycle,
-                       to_text(step.target), report.failure, halvings,
-                       last_converged(increments, reached, load_factor, step.target));
+std::string no_equilibrium(const LoadStep& step, const NewtonReport& report, int halvings, const LastConverged& last) {
+    return fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}", last.increments + 1, step.cycle,
+                       to_text(step.target), report.failure, halvings, last_converged(last));
 }
 
 std::string stress_does_not_settle(const NewtonReport& report) {
     return "the initial stress finds no equilibrium without load: " + report.failure +
            "; it may be more than the body bears";
+}
+
+std::string released_in_parts(const LoadStep& step, const NewtonReport& report) {
+    return fmt::format("after growth at {}: {}; its faces are released in parts", to_text(step.target), report.failure);
 }
 
 std::string faces_not_released(const LoadStep& step, const NewtonReport& report, const FaceRelease& release,

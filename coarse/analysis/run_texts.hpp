@@ -10,11 +10,21 @@
 
 namespace stria::coarse {
 
-/// Halved so often an increment still finds none. `increments` have converged: to a target, at a load factor.
-[[nodiscard]] std::string no_equilibrium(const LoadStep& step, const NewtonReport& report, int halvings, int increments,
-                                         const Target& reached, double load_factor);
+/// The last equilibrium that was found.
+struct LastConverged {
+    int increments = 0;  // up to it; 0: there is none
+    Target reached;
+    double load_factor = 0.0;
+};
+
+/// Halved so often an increment still finds none.
+[[nodiscard]] std::string no_equilibrium(const LoadStep& step, const NewtonReport& report, int halvings,
+                                         const LastConverged& last);
 
 [[nodiscard]] std::string stress_does_not_settle(const NewtonReport& report);
+
+/// Figure 3 (b) finds no equilibrium at once.
+[[nodiscard]] std::string released_in_parts(const LoadStep& step, const NewtonReport& report);
 
 /// Figure 3 (b) has no end. `nominal`: one per tip, of the longer cracks.
 [[nodiscard]] std::string faces_not_released(const LoadStep& step, const NewtonReport& report,

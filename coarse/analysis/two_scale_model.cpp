@@ -112,7 +112,8 @@ MeshDemands TwoScaleModel::demands(int passed) const {
 }
 
 NewtonReport TwoScaleModel::solve(const LoadStep& step, const Waits& waits) {
-    NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, solver_, largest_force_, waits);
+    NewtonReport report =
+        find_equilibrium(*equilibrium_, step.target, step.predictor, {solver_, largest_force_, waits});
     effort_.counts.newton_iterations += report.count();
     if (report.converged && std::abs(loaded_displacement()) > gives_way_at_) {
         report.converged = false;

@@ -32,17 +32,16 @@ bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& r
            meter_.may_hide_slip({0.0, 0.0, before, memory_.nearest}, {1.0, 1.0, now, meter_.nearest(report)});
 }
 
-std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, const NewtonReport& report,
-                                                       const End& from, const End& to, double of_loads, double unit,
+std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, const NewtonReport& report, const Way& way,
                                                        const Solve& solve) const {
-    const double start = from.target.value, end = to.target.value;
+    const double start = way.from.target.value, end = way.to.target.value;
     constexpr double nearby = 0.2;  // of the increment
     double tried = NAN;             // share of it at the last trial that came to equilibrium
     const auto try_at = [&](double target) {
         const double share = (target - start) / (end - start);
         LoadStep part = step;
         part.target.value = target;
-        part.target.cases = from.target.cases + share * (to.target.cases - from.target.cases);
+        part.target.cases = way.from.target.cases + share * (way.to.target.cases - way.from.target.cases);
         part.predictor = std::abs(share - tried) < nearby ? Predictor(share - tried, 0, true) : Predictor(share, 0);
         const ClosureMeter::Trial trial = solve(part);
         tried = trial.report.converged ? share : NAN;
@@ -50,8 +49,9 @@ std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, con
     };
     const std::vector<double> now = signal(report);
     return meter_.locate(
-        {start, from.load_factor, memory_.signal, memory_.nearest}, {end, to.load_factor, now, meter_.nearest(report)},
-        precision_of_loads / of_loads * std::abs(end - start), try_at, expected(now, unit), memory_.largest);
+        {start, way.from.load_factor, memory_.signal, memory_.nearest},
+        {end, way.to.load_factor, now, meter_.nearest(report)},
+        {precision_of_loads / way.of_loads * std::abs(end - start), try_at, expected(now, way.unit), memory_.largest});
 }
 
 LegOutlook ClosureMeasurement::outlook(const LegEnds& leg, const std::vector<TipResult>& nominal) const {

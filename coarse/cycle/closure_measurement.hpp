@@ -43,13 +43,17 @@ public:
         Target target;
         double load_factor;
     };
-    /// Where its signals changed between what was committed and what has been found at its end. `of_loads`: how much of
-    /// the loads of the present half cycle it changes (LoadController::part_of_loads()); `unit`: of the history, as a
-    /// target. solve(part) finds the trial equilibrium of a shorter increment, whose predictor is a share of the
-    /// attempt that was put aside, or goes on from a trial nearby.
+    /// What an increment is of the load history.
+    struct Way {
+        End from, to;
+        double of_loads;  // that it changes, of those of the present half cycle (LoadController::part_of_loads())
+        double unit;      // of the history, as a target
+    };
+    /// Where its signals changed between what was committed and what has been found at its end. solve(part) finds the
+    /// trial equilibrium of a shorter increment, whose predictor is a share of the attempt that was put aside, or goes
+    /// on from a trial nearby.
     using Solve = std::function<ClosureMeter::Trial(const LoadStep&)>;
-    [[nodiscard]] std::vector<OpeningChange> changes(const LoadStep& step, const NewtonReport& report, const End& from,
-                                                     const End& to, double of_loads, double unit,
+    [[nodiscard]] std::vector<OpeningChange> changes(const LoadStep& step, const NewtonReport& report, const Way& way,
                                                      const Solve& solve) const;
 
     /// The increment is committed, with `changes` on its way; returns its signals.

@@ -142,10 +142,8 @@ void ClosureMeter::forget_slip(std::vector<double>& signal) const {
 /// The states between two of them that have been tried, and the changes that they tell.
 class ClosureMeter::Search {
 public:
-    Search(const ClosureMeter& meter, std::vector<ClosureStation> ends, double precision, const Solve& solve,
-           const std::vector<ExpectedCrossing>& expected, const std::vector<double>& largest)
-        : meter_(meter), way_(std::move(ends)), precision_(precision), solve_(solve), expected_(expected),
-          largest_(largest) {}
+    Search(const ClosureMeter& meter, std::vector<ClosureStation> ends, const Trials& trials)
+        : meter_(meter), way_(std::move(ends)), trials_(trials) {}
 
     std::vector<OpeningChange> changes() {
         for (std::size_t i = 0; i + 1 < way_.size();) {
@@ -161,10 +159,10 @@ private:
     // trial on a long way tells it may have, at a load that nobody knows, and is not looked for any more.
     bool try_for_slip_after(std::size_t i) {
         for (const std::size_t k : meter_.unslid(way_[i], way_[i + 1])) {
-            const std::optional<Crossing> hidden = hidden_slip(way_, i, meter_.contact_of(k), precision_);
+            const std::optional<Crossing> hidden = hidden_slip(way_, i, meter_.contact_of(k), trials_.precision);
             if (!hidden) continue;
             if (!hidden->known && try_after(i, hidden->share)) return true;
-            if (!hidden->known && std::abs(way_[i + 1].target - way_[i].target) <= precision_) continue;
+            if (!hidden->known && std::abs(way_[i + 1].target - way_[i].target) <= trials_.precision) continue;
             way_[i + 1].signal[k] = 1.0;
             remember_slip_from(i + 2);
             if (hidden->known) continue;
@@ -186,19 +184,19 @@ private:
             OpeningChange& change = add_change(i, k, found);
             const Signals signals = meter_.signals();
             const bool says_whether = signals.is_slip(signals.kind_of(k));
-            if (found.known && !says_whether) change.rate = rates_beside(way_, i, k, precision_, change.target);
+            if (found.known && !says_whether) change.rate = rates_beside(way_, i, k, trials_.precision, change.target);
         }
     }
 
     [[nodiscard]] Crossing crossing_after(std::size_t i, std::size_t k) const {
-        const ExpectedCrossing expected = k < expected_.size() ? expected_[k] : ExpectedCrossing();
-        const Crossing found = crossing(way_, i, k, precision_, expected);
-        return found.known ? meter_.seen_closed(found, way_[i], way_[i + 1], k, precision_) : found;
+        const ExpectedCrossing expected = k < trials_.expected.size() ? trials_.expected[k] : ExpectedCrossing();
+        const Crossing found = crossing(way_, i, k, trials_.precision, expected);
+        return found.known ? meter_.seen_closed(found, way_[i], way_[i + 1], k, trials_.precision) : found;
     }
 
     /// A further state at that share of the way from one to the next; false: none comes to equilibrium.
     bool try_after(std::size_t i, double share) {
-        auto between = meter_.try_between(way_[i], way_[i + 1], share, solve_, largest_);
+        auto between = meter_.try_between(way_[i], way_[i + 1], share, trials_);
         if (!between) return false;
         way_.insert(way_.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
         remember_slip_from(i + 2);
@@ -223,17 +221,13 @@ private:
 
     const ClosureMeter& meter_;
     std::vector<ClosureStation> way_;
-    double precision_;
-    const Solve& solve_;
-    const std::vector<ExpectedCrossing>& expected_;
-    const std::vector<double>& largest_;
+    const Trials& trials_;
     std::vector<OpeningChange> changes_;
 };
 
-std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureStation after, double precision,
-                                                const Solve& solve, const std::vector<ExpectedCrossing>& expected,
-                                                const std::vector<double>& largest) const {
-    return Search(*this, {std::move(before), std::move(after)}, precision, solve, expected, largest).changes();
+std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureStation after,
+                                                const Trials& trials) const {
+    return Search(*this, {std::move(before), std::move(after)}, trials).changes();
 }
 
 Crossing ClosureMeter::seen_closed(const Crossing& found, const ClosureStation& before, const ClosureStation& after,
@@ -247,13 +241,12 @@ Crossing ClosureMeter::seen_closed(const Crossing& found, const ClosureStation& 
 }
 
 std::optional<ClosureStation> ClosureMeter::try_between(const ClosureStation& before, const ClosureStation& after,
-                                                        double share, const Solve& solve,
-                                                        const std::vector<double>& largest) const {
+                                                        double share, const Trials& trials) const {
     for (const double way : {share, 0.5, 0.375, 0.625, 0.25, 0.75}) {
         const double target = std::lerp(before.target, after.target, way);
-        const Trial trial = solve(target);
+        const Trial trial = trials.solve(target);
         if (trial.report.converged)
-            return ClosureStation{target, trial.load_factor, signal(trial.report, before.signal, largest),
+            return ClosureStation{target, trial.load_factor, signal(trial.report, before.signal, trials.largest),
                                   nearest(trial.report)};
     }
     return std::nullopt;

@@ -90,23 +90,26 @@ public:
     /// Finds the trial equilibrium at a target.
     using Solve = std::function<Trial(double)>;
 
-    /// Tries targets between two states until it knows where each signal passes zero, to `precision` of a target. It
-    /// tries first where the signal is expected to (`expected`: one per signal; no vector: nobody knows), then where
-    /// signals that it has seen on one side lead to, since they bend where contact is made or lost;
-    /// in proportion to both where they lead nowhere; in the middle where they only say whether. A trial that fails is
-    /// made again elsewhere. `largest`: as signal() has it.
-    [[nodiscard]] std::vector<OpeningChange> locate(ClosureStation before, ClosureStation after, double precision,
-                                                    const Solve& solve,
-                                                    const std::vector<ExpectedCrossing>& expected = {},
-                                                    const std::vector<double>& largest = {}) const;
+    /// How targets between two states are tried.
+    struct Trials {
+        double precision;                             // to which a target is looked for
+        Solve solve;                                  // finds the trial equilibrium at one
+        std::vector<ExpectedCrossing> expected = {};  // one per signal; empty: nobody knows
+        std::vector<double> largest = {};             // as signal() has it
+    };
+    /// Tries targets between two states until it knows where each signal passes zero. It tries first where the signal
+    /// is expected to, then where signals that it has seen on one side lead to, since they bend where contact is made
+    /// or lost; in proportion to both where they lead nowhere; in the middle where they only say whether. A trial that
+    /// fails is made again elsewhere.
+    [[nodiscard]] std::vector<OpeningChange> locate(ClosureStation before, ClosureStation after,
+                                                    const Trials& trials) const;
 
 private:
     class Search;
 
     /// Null where no trial comes to equilibrium. `share`: of the way, tried first.
     [[nodiscard]] std::optional<ClosureStation> try_between(const ClosureStation& before, const ClosureStation& after,
-                                                            double share, const Solve& solve,
-                                                            const std::vector<double>& largest) const;
+                                                            double share, const Trials& trials) const;
 
     /// Faces that slide and part within one increment are seen to slide at neither end of it: where slip is measured a
     /// load at which contact comes or goes is known once a state beside it is, to `precision`, with the faces closed.

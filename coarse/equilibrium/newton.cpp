@@ -86,43 +86,82 @@ private:
     int states_ = 0;
 };
 
-/// From one start until convergence or for as long as is allowed; false where the start turns out to mislead.
-[[nodiscard]] bool iterate(Equilibrium& equilibrium, const Target& target, const SolverSection& solver,
-                           double largest_force, bool guessed, const Waits& waits, NewtonReport& report) {
+/// From one start after the other to one target.
+class NewtonSearch {
+public:
+    NewtonSearch(Equilibrium& equilibrium, const Target& target, const NewtonLimits& limits)
+        : equilibrium_(equilibrium), target_(target), limits_(limits) {}
+
+    /// False where the start turns out to mislead.
+    [[nodiscard]] bool is_done_from(const Predictor& start);
+    /// Goes back to what is committed, and counts what there is as lost; returns what went wrong.
+    std::string start_anew();
+
+    NewtonReport report;
+
+private:
+    /// From one start until convergence or for as long as is allowed; false where the start turns out to mislead.
+    [[nodiscard]] bool iterate(bool guessed);
+
+    Equilibrium& equilibrium_;
+    const Target& target_;
+    const NewtonLimits& limits_;
+};
+
+bool NewtonSearch::is_done_from(const Predictor& start) {
+    const bool guessed = start.goes_on || start.factor != 0.0;
+    try {
+        equilibrium_.begin(target_, start);
+        return iterate(guessed);
+    } catch (const NumericalFailure& failure) {
+        report.failure = failure.what();
+        return !guessed;
+    }
+}
+
+std::string NewtonSearch::start_anew() {
+    equilibrium_.rollback();
+    report.lost.insert(report.lost.end(), report.iterations.begin(), report.iterations.end());
+    report.iterations.clear();
+    return std::exchange(report.failure, {});
+}
+
+bool NewtonSearch::iterate(bool guessed) {
+    const SolverSection& solver = limits_.solver;
     std::optional<LineSearch> search(std::in_place);
     LeftToRounding left_to_rounding;
-    ContactFirst contact_first(!guessed && target.held == 0.0);
+    ContactFirst contact_first(!guessed && target_.held == 0.0);
     for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
-        report.stopped = !waits();
+        report.stopped = !limits_.waits();
         if (report.stopped) return true;
-        const Residual residual = equilibrium.linearise();
+        const Residual residual = equilibrium_.linearise();
         if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
         if (residual.woken) iteration = 0;  // what has been woken is new to it
         if (contact_first.turns(residual)) {
             report.iterations.push_back({residual, 0.0});
             search.emplace();
             iteration = 0;  // what flows from here on is new to it
-            equilibrium.set_elastic(contact_first.elastic());
-            equilibrium.apply_further(0.0);
+            equilibrium_.set_elastic(contact_first.elastic());
+            equilibrium_.apply_further(0.0);
             continue;
         }
         if (const double part = search->further(residual); part != 0.0) {
             report.iterations.push_back({residual, 0.0});
-            equilibrium.apply_further(part);
+            equilibrium_.apply_further(part);
             continue;
         }
-        const double correction = equilibrium.solve();
+        const double correction = equilibrium_.solve();
         report.iterations.push_back({residual, correction});
         const bool settled = residual.within(solver.tolerance) &&
                              (left_to_rounding.is(residual, correction) || correction <= 10.0 * solver.tolerance);
-        const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
+        const bool rounding = residual.largest() < 1e-13 * limits_.largest_force && residual.target <= solver.tolerance;
         if (!contact_first.elastic() && (settled || rounding)) {
             report.converged = !residual.provisional;
             if (report.converged) return true;
-            equilibrium.look_at_rest();
+            equilibrium_.look_at_rest();
         }
         if (guessed && is_misled(report)) return false;
-        equilibrium.apply();
+        equilibrium_.apply();
     }
     report.failure = fmt::format("no convergence in {} iterations (solver.max_iterations)", solver.max_iterations);
     return !guessed;
@@ -139,34 +178,20 @@ bool parts_slowly(const NewtonReport& report) {
 }  // namespace
 
 NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
-                              const SolverSection& solver, double largest_force, const Waits& waits) {
-    NewtonReport report;
-    const auto is_done_from = [&](const Predictor& start) {
-        const bool guessed = start.goes_on || start.factor != 0.0;
-        try {
-            equilibrium.begin(target, start);
-            return iterate(equilibrium, target, solver, largest_force, guessed, waits, report);
-        } catch (const NumericalFailure& failure) {
-            report.failure = failure.what();
-            return !guessed;
-        }
-    };
-    if (!is_done_from(predictor)) {
-        equilibrium.rollback();
-        report.lost = std::exchange(report.iterations, {});
-        report.failure.clear();
-        static_cast<void>(is_done_from({}));
+                              const NewtonLimits& limits) {
+    NewtonSearch search(equilibrium, target, limits);
+    if (!search.is_done_from(predictor)) {
+        search.start_anew();
+        static_cast<void>(search.is_done_from({}));
     }
-    if (target.held != 0.0 || !parts_slowly(report)) return report;
-    equilibrium.rollback();
-    const std::string failure = std::exchange(report.failure, {});
-    report.lost.insert(report.lost.end(), report.iterations.begin(), report.iterations.end());
-    report.iterations.clear();
+    if (target.held != 0.0 || !parts_slowly(search.report)) return std::move(search.report);
+    const std::string failure = search.start_anew();
     Predictor apart;
     apart.apart = true;
-    static_cast<void>(is_done_from(apart));
+    static_cast<void>(search.is_done_from(apart));
+    NewtonReport& report = search.report;
     if (!report.converged && !report.stopped) report.failure = failure;  // a body that only its faces hold floats
-    return report;
+    return std::move(report);
 }
 
 }  // namespace stria::coarse

@@ -32,16 +32,22 @@ struct NewtonReport {
 /// False: nobody waits for the equilibrium any more.
 using Waits = std::function<bool()>;
 
+/// When Newton's method ends.
+struct NewtonLimits {
+    SolverSection solver;               // tolerance, and how many iterations
+    double largest_force = 0.0;         // the largest scale that this body has seen, N/mm
+    Waits waits = [] { return true; };  // asked in each iteration
+};
+
 /// From where the predictor says, and without it where that leads nowhere. Converged: the largest of the three
-/// residuals is at most `tolerance` times the force scale, the target is met to `tolerance`, and the correction that is
-/// still due is at most 10 `tolerance` of the largest displacement, or is rounding. Where an elastic body is without
-/// load no force balances another, and all that is left is the rounding of forces that were there: residuals within
-/// 1e-13 of `largest_force`, N/mm, the largest scale that this body has seen, are nothing. `solver.max_iterations` are
-/// allowed anew from the second start, from open faces where those of a body that does not flow were still changing,
-/// where elements at rest have been woken, and where faces that change in the first correction have come to rest on
-/// elastic metal. Does not throw on failure: the caller cuts. `waits` is asked in each iteration.
-NewtonReport find_equilibrium(
-    Equilibrium& equilibrium, const Target& target, const Predictor& predictor, const SolverSection& solver,
-    double largest_force = 0.0, const Waits& waits = [] { return true; });
+/// residuals is at most the tolerance times the force scale, the target is met to the tolerance, and the correction
+/// that is still due is at most 10 times the tolerance of the largest displacement, or is rounding. Where an elastic
+/// body is without load no force balances another, and all that is left is the rounding of forces that were there:
+/// residuals within 1e-13 of the largest force are nothing. `solver.max_iterations` are allowed anew from the second
+/// start, from open faces where those of a body that does not flow were still changing, where elements at rest have
+/// been woken, and where faces that change in the first correction have come to rest on elastic metal. Does not throw
+/// on failure: the caller cuts.
+NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
+                              const NewtonLimits& limits);
 
 }  // namespace stria::coarse

@@ -195,18 +195,16 @@ std::vector<TipResult> directing(std::vector<TipResult> nominal, const std::vect
 }
 
 std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
-                                        const std::vector<Tip>& tips, const std::vector<TipResult>& directing,
-                                        const std::vector<double>& advance_by, const std::vector<double>& elements) {
+                                        const std::vector<TipAdvance>& advances) {
     constexpr double nothing = 1e-6;  // elements: no K is told of a bend so near to its tip
-    for (std::size_t t = 0; t < directing.size(); ++t) {
-        if (advance_by[t] == 0.0) continue;
-        CrackSection& crack = cracks[at(tips[t].crack)];
+    for (const auto& [tip, K_I, K_II, by, element] : advances) {
+        if (by == 0.0) continue;
+        CrackSection& crack = cracks[at(tip.crack)];
         double angle = 0.0;
         if (direction == GrowthDirection::HoopStress)
-            angle = turn(hoop_stress_angle(directing[t].K_I, directing[t].K_II), last_stretch(crack, tips[t]).norm(),
-                         advance_by[t], elements[t]);
-        if (angle != 0.0 && advance_by[t] < nothing * elements[t]) continue;
-        advance(crack, tips[t], Eigen::Rotation2Dd(angle) * tips[t].direction, advance_by[t]);
+            angle = turn(hoop_stress_angle(K_I, K_II), last_stretch(crack, tip).norm(), by, element);
+        if (angle != 0.0 && by < nothing * element) continue;
+        advance(crack, tip, Eigen::Rotation2Dd(angle) * tip.direction, by);
     }
     return cracks;
 }

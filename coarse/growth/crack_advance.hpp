@@ -60,12 +60,16 @@ void turn_where_faces_end(std::vector<CrackSection>& longer, const EnrichedMesh&
 /// The K of what loads a tip in the solution that has been reached: directing().
 [[nodiscard]] TipResult loaded_by(TipResult reached);
 
-/// The cracks with each tip advanced by its length, mm, along its growth direction. Who would turn by next to no
-/// advance stays. `tips`, `directing`, `advance_by` and `elements`, the edges of the tips' elements, mm: one per tip.
+/// How far a tip is to advance, and what tells it the direction.
+struct TipAdvance {
+    Tip tip;
+    double K_I, K_II;  // directing(), MPa sqrt(mm)
+    double by;         // mm
+    double element;    // edge of the tip's element, mm
+};
+
+/// The cracks with each tip advanced along its growth direction. Who would turn by next to no advance stays.
 [[nodiscard]] std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
-                                                      const std::vector<Tip>& tips,
-                                                      const std::vector<TipResult>& directing,
-                                                      const std::vector<double>& advance_by,
-                                                      const std::vector<double>& elements);
+                                                      const std::vector<TipAdvance>& advances);
 
 }  // namespace stria::coarse

@@ -124,8 +124,8 @@ double cycles_passed(double grown, double rate_before, double rate_after) {
     return grown > 0.0 ? 0.5 * grown * (1.0 / rate_before + 1.0 / rate_after) : 0.0;
 }
 
-double cycles_in_doubt(double grown, double rate_before, double rate_after, double length, double lengthened,
-                       double root) {
+double cycles_in_doubt(const TipGrowth& growth, double root) {
+    const auto [grown, rate_before, rate_after, length, lengthened] = growth;
     if (!(grown > 0.0)) return 0.0;
     const double x = std::log(rate_after / rate_before) / 2.0;
     constexpr double small = 1e-3;  // there rounding would be all of the difference

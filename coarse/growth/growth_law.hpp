@@ -48,13 +48,20 @@ struct TipAtExtremes {
 /// fastest tip (trapezoidal rule).
 [[nodiscard]] double cycles_passed(double grown, double rate_before, double rate_after);
 
-/// About what the rule is off by: what these are more than the cycles of a rate that goes with a power of the length,
-/// from `length` of the crack, mm, to what it is when it has become longer by `lengthened`, as K does with its root.
-/// Where that is not known, or the rate falls, of a rate whose logarithm is straight over the growth. Never negative.
-/// `root`: the power with which the rate goes where K goes with the root of the length; 0: not known. So it begins, and
-/// as a crack parts a body K rises by more: a parabola of the logarithms through both ends stands for the power then.
-[[nodiscard]] double cycles_in_doubt(double grown, double rate_before, double rate_after, double length = 0.0,
-                                     double lengthened = 0.0, double root = 0.0);
+/// A growth of the fastest tip.
+struct TipGrowth {
+    double grown;                    // mm
+    double rate_before, rate_after;  // da/dN, mm per cycle
+    double length = 0.0;             // of its crack before, mm; 0: not known
+    double lengthened = 0.0;         // by all tips of that, mm
+};
+
+/// About what the rule is off by: what these are more than the cycles of a rate that goes with a power of the length of
+/// the crack, as K does with its root. Where that is not known, or the rate falls, of a rate whose logarithm is
+/// straight over the growth. Never negative. `root`: the power with which the rate goes where K goes with the root of
+/// the length; 0: not known. So it begins, and as a crack parts a body K rises by more: a parabola of the logarithms
+/// through both ends stands for the power then.
+[[nodiscard]] double cycles_in_doubt(const TipGrowth& growth, double root = 0.0);
 
 /// Of the fastest tip: the length of its crack, mm, and da/dN, mm per cycle.
 struct RateAtLength {

@@ -33,7 +33,7 @@ void LifeCount::doubt(double grown, double lengthened, const RateAtLength& from,
         if (last.doubt > 0.0) memory_.doubt += cycles_in_doubt(last.grown, through, 0) - last.doubt;
         memory_.doubt += cycles_in_doubt(grown, through, 1);
     } else {
-        by_two = cycles_in_doubt(grown, from.rate, to.rate, from.length, lengthened, root_);
+        by_two = cycles_in_doubt({grown, from.rate, to.rate, from.length, lengthened}, root_);
         memory_.doubt += by_two;
     }
     last = {rises ? grown : 0.0, from, to, by_two};

@@ -72,7 +72,7 @@ protected:
         RunHistory history;
         for (const double target : targets) {
             Followed increment;
-            increment.newton = find_equilibrium(*equilibrium, {control, target}, 0.0, input.solver);
+            increment.newton = find_equilibrium(*equilibrium, {control, target}, 0.0, {input.solver});
             EXPECT_TRUE(increment.newton.converged) << increment.newton.failure << increment.newton.table();
             increment.load_factor = equilibrium->load_factor();
             increment.displacement = equilibrium->structure_displacement();

@@ -25,7 +25,7 @@ inline Equilibrated equilibrate(const coarse::Scene& scene, double load_factor) 
     fine.set_patch(coarse::make_patch(scene, structure.in_zone(), structure.gamma(), zero));
     coarse::CondensedEquilibrium equilibrium(structure, &fine, scene.input, zero, 0.0);
     Equilibrated result;
-    result.newton = coarse::find_equilibrium(equilibrium, {Control::Load, load_factor}, 0.0, scene.input.solver);
+    result.newton = coarse::find_equilibrium(equilibrium, {Control::Load, load_factor}, 0.0, {scene.input.solver});
     result.displacement = equilibrium.structure_displacement();
     result.zone = equilibrium.commit({});
     result.tips = coarse::fracture_parameters(structure, result.displacement, result.zone);

@@ -67,7 +67,7 @@ private:
         Stage(StagedBody& body, std::vector<BoundarySection> sections)
             : scene(body.loaded(std::move(sections))), structure(scene, zone_of(scene)),
               equilibrium(structure, body.zone(structure), scene.input, body.displacement_, 1.0),
-              newton(coarse::find_equilibrium(equilibrium, {Control::Load, 1.0}, {}, scene.input.solver)) {}
+              newton(coarse::find_equilibrium(equilibrium, {Control::Load, 1.0}, {}, {scene.input.solver})) {}
         coarse::Scene scene;
         coarse::Structure structure;
         coarse::CondensedEquilibrium equilibrium;

@@ -88,7 +88,7 @@ TEST(SeveralMaterials, PressedFacesInALayerBearTheStressOfTheBar) {
     fine::FineModel fine(scene.input);
     fine.set_patch(coarse::make_patch(scene, structure.in_zone(), structure.gamma(), zero));
     coarse::CondensedEquilibrium equilibrium(structure, &fine, scene.input, zero, 0.0);
-    ASSERT_TRUE(coarse::find_equilibrium(equilibrium, {Control::Load, 1.0}, {}, scene.input.solver).converged);
+    ASSERT_TRUE(coarse::find_equilibrium(equilibrium, {Control::Load, 1.0}, {}, {scene.input.solver}).converged);
     const coupling::StepReport report = equilibrium.commit({});
     ASSERT_FALSE(report.faces.empty());
     for (const coupling::FaceSample& face : report.faces) EXPECT_NEAR(face.pressure, 100.0, 1e-7);

@@ -270,7 +270,7 @@ TEST(SlidingLoads, SlipBeginsWhereTheShearHasReachedItsBound) {
         };
         const std::vector<double> locked = meter.signal(body.attempt(sheared(from)), {});
         const std::vector<double> slid = meter.signal(body.attempt(sheared(to)), locked);
-        return meter.locate({from, from, locked}, {to, to, slid}, 0.1, solve);
+        return meter.locate({from, from, locked}, {to, to, slid}, {0.1, solve});
     };
     const auto expect_all_at = [&](const std::vector<coarse::OpeningChange>& changes, double shear, double change) {
         EXPECT_EQ(changes.size(), 4U);  // two tips, two distances

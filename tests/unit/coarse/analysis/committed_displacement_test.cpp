@@ -24,7 +24,7 @@ protected:
 
     void commit(double load_factor) {
         const Target target{.value = load_factor};
-        ASSERT_TRUE(find_equilibrium(equilibrium, target, Predictor(), scene.input.solver).converged);
+        ASSERT_TRUE(find_equilibrium(equilibrium, target, Predictor(), {scene.input.solver}).converged);
         static_cast<void>(equilibrium.commit({}));
         committed.fall_behind();
     }

@@ -156,8 +156,8 @@ TEST_F(ClosureMeasurementTest, LooksWhereTheLoadsOfTheCyclesBeforeLead) {
         trials.push_back(trial.target.value);
         return ClosureMeter::Trial{state(2.0 * (11.495 - trial.target.value), 300.0), trial.target.value};
     };
-    const std::vector<OpeningChange> found =
-        measurement.changes(step, state(20.0, 300.0), {{.value = 20.0}, 20.0}, {{.value = 0.0}, 0.0}, 1.0, 1.0, solve);
+    const std::vector<OpeningChange> found = measurement.changes(
+        step, state(20.0, 300.0), {{{.value = 20.0}, 20.0}, {{.value = 0.0}, 0.0}, 1.0, 1.0}, solve);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(trials, std::vector{11.5});
     EXPECT_NEAR(found[0].target, 11.495, 1e-12);
@@ -185,7 +185,7 @@ TEST_F(ClosureMeasurementTest, LooksForAChangeBetweenTheEnds) {
         trials.push_back(trial);
         return ClosureMeter::Trial{state(contact_at(trial.target.value), 300.0), trial.target.value};
     };
-    const std::vector<OpeningChange> found = measurement.changes(step, state(30.0, 300.0), from, to, 0.5, 1.0, solve);
+    const std::vector<OpeningChange> found = measurement.changes(step, state(30.0, 300.0), {from, to, 0.5, 1.0}, solve);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_TRUE(found[0].closes);
     EXPECT_EQ(found[0].signal, 0);

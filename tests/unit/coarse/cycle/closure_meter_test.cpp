@@ -62,16 +62,16 @@ TEST(ClosureMeter, FindsTheLoadAsPreciselyAsAsked) {
         ++trials;
         return ClosureMeter::Trial{with_reach(meter, target < 37.3 ? 1.0 : -1.0), target};
     };
-    const auto opening = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, 0.2, solve);
+    const auto opening = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, {0.2, solve});
     ASSERT_EQ(opening.size(), 1U);
     EXPECT_FALSE(opening[0].closes);
     EXPECT_NEAR(opening[0].load_factor, 37.3, 0.2);
     EXPECT_LE(trials, 12);  // of a signal that only says whether
-    const auto closing = meter.locate({40.0, 40.0, {-1.0}}, {30.0, 30.0, {1.0}}, 0.2, solve);
+    const auto closing = meter.locate({40.0, 40.0, {-1.0}}, {30.0, 30.0, {1.0}}, {0.2, solve});
     ASSERT_EQ(closing.size(), 1U);
     EXPECT_TRUE(closing[0].closes);
     EXPECT_NEAR(closing[0].load_factor, 37.3, 0.2);
-    EXPECT_TRUE(meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {1.0}}, 0.2, solve).empty());
+    EXPECT_TRUE(meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {1.0}}, {0.2, solve}).empty());
 }
 
 // Faces press with another stiffness than they open with, and neither quite in proportion to the load.
@@ -93,7 +93,7 @@ TEST(ClosureMeter, GoesStraightToWhereContactIsLost) {
             for (const auto& [from, to] : {std::pair{30.0, 40.0}, {40.0, 30.0}}) {
                 trials = 0;
                 const auto changes =
-                    meter.locate({from, 2.0 * from, {signal(from)}}, {to, 2.0 * to, {signal(to)}}, 0.1, solve);
+                    meter.locate({from, 2.0 * from, {signal(from)}}, {to, 2.0 * to, {signal(to)}}, {0.1, solve});
                 ASSERT_EQ(changes.size(), 1U);
                 EXPECT_NEAR(changes[0].load_factor, 2.0 * root, 0.1) << stiffer << " " << root;
                 EXPECT_LE(trials, 5) << stiffer << " " << root << " from " << from;
@@ -118,7 +118,7 @@ struct Search {
             return ClosureMeter::Trial{with_reach(meter, 0.2 + signal(target)), target};
         };
         const auto changes =
-            meter.locate({from, from, {signal(from)}}, {to, to, {signal(to)}}, precision, solve, {expected});
+            meter.locate({from, from, {signal(from)}}, {to, to, {signal(to)}}, {precision, solve, {expected}});
         EXPECT_EQ(changes.size(), 1U);
         found = changes.at(0);
         EXPECT_NEAR(found.target, root, precision);
@@ -195,7 +195,7 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
     };
     const ClosureStation pressed = station(30.0), apart = station(40.0);
     trials = 0;
-    const auto changes = meter.locate(pressed, apart, 0.1, solve);
+    const auto changes = meter.locate(pressed, apart, {0.1, solve});
     ASSERT_EQ(changes.size(), 3U);
     for (const OpeningChange& change : changes) {
         const double distance = meter.distances(0)[at(change.signal)];
@@ -212,7 +212,7 @@ TEST(ClosureMeter, TriesElsewhereWhereATrialFails) {
         if (std::abs(target - 35.0) < 0.5) return ClosureMeter::Trial{};
         return ClosureMeter::Trial{with_reach(meter, target < 37.3 ? 1.0 : -1.0), target};
     };
-    const auto changes = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, 0.2, fails_about_35);
+    const auto changes = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, {0.2, fails_about_35});
     ASSERT_EQ(changes.size(), 1U);
     EXPECT_NEAR(changes[0].load_factor, 37.3, 0.2);
 }
@@ -221,14 +221,14 @@ TEST(ClosureMeter, TriesElsewhereWhereATrialFails) {
 TEST(ClosureMeter, GivesNoLoadWhereNoTrialSucceeds) {
     const ClosureMeter meter(loaded().closure, {300.0}, loaded().cracks, {500.0});
     const auto fails = [](double) { return ClosureMeter::Trial{}; };
-    const auto changes = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, 0.1, fails);
+    const auto changes = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, {0.1, fails});
     ASSERT_EQ(changes.size(), 1U);
     EXPECT_TRUE(std::isnan(changes[0].load_factor));
     const auto fails_near = [&](double target) {
         if (target > 36.0 && target < 39.0) return ClosureMeter::Trial{};
         return ClosureMeter::Trial{with_reach(meter, target < 37.3 ? 1.0 : -1.0), target};
     };
-    const auto near = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, 0.1, fails_near);
+    const auto near = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, {0.1, fails_near});
     ASSERT_EQ(near.size(), 1U);
     EXPECT_TRUE(std::isnan(near[0].load_factor));
 }

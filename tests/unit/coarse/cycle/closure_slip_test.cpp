@@ -51,7 +51,7 @@ TEST(ClosureMeter, FindsWhereSlipComesToItsDistances) {
     };
     const std::vector<double> locked{1.0, 1.0, -1.0, -1.0}, slid{1.0, 1.0, 1.0, 1.0};
     const auto changes =
-        meter.locate({30.0, 30.0, locked}, {40.0, 40.0, slid}, 0.1, slides_in({37.3, 50.0}, {32.0, 36.0}));
+        meter.locate({30.0, 30.0, locked}, {40.0, 40.0, slid}, {0.1, slides_in({37.3, 50.0}, {32.0, 36.0})});
     ASSERT_EQ(changes.size(), 2U);
     EXPECT_EQ(changes[0].signal, 3);
     EXPECT_NEAR(changes[0].load_factor, 32.0, 0.1);
@@ -60,7 +60,8 @@ TEST(ClosureMeter, FindsWhereSlipComesToItsDistances) {
     EXPECT_TRUE(changes[0].closes && changes[1].closes);
     EXPECT_STREQ(meter.what_a_tip_does(changes[0]), "slides");
     EXPECT_STREQ(meter.what_a_tip_does({.tip = 0, .signal = 1, .closes = false, .load_factor = 0.0}), "opens");
-    const auto back = meter.locate({40.0, 40.0, locked}, {30.0, 30.0, slid}, 0.1, slides_in({0.0, 32.7}, {34.0, 38.0}));
+    const auto back =
+        meter.locate({40.0, 40.0, locked}, {30.0, 30.0, slid}, {0.1, slides_in({0.0, 32.7}, {34.0, 38.0})});
     ASSERT_EQ(back.size(), 2U);
     EXPECT_NEAR(back[0].load_factor, 38.0, 0.1);
     EXPECT_NEAR(back[1].load_factor, 32.7, 0.1);
@@ -78,13 +79,13 @@ TEST(ClosureMeter, FindsSlipOfFacesThatPartInTheSameIncrement) {
     const auto station = [&](double target) {
         return ClosureStation{target, target, meter.signal(state(target).report, {})};
     };
-    const auto parting = meter.locate(station(30.0), station(40.0), 0.1, state);
+    const auto parting = meter.locate(station(30.0), station(40.0), {0.1, state});
     ASSERT_EQ(parting.size(), 2U);
     EXPECT_EQ(parting[0].signal, 2);
     EXPECT_NEAR(parting[0].load_factor, 34.0, 0.1);
     EXPECT_EQ(parting[1].signal, 0);
     EXPECT_NEAR(parting[1].load_factor, 37.3, 0.1);
-    const auto meeting = meter.locate(station(40.0), station(30.0), 0.1, state);
+    const auto meeting = meter.locate(station(40.0), station(30.0), {0.1, state});
     ASSERT_EQ(meeting.size(), 2U);
     for (const OpeningChange& change : meeting) EXPECT_NEAR(change.load_factor, 37.3, 0.1);
 }
@@ -110,10 +111,10 @@ TEST(ClosureMeter, FindsTheFirstSlipOfFacesThatPartOneAfterTheOther) {
     for (const double end : {33.0, 36.0, 39.3, 45.0}) {
         EXPECT_TRUE(meter.may_hide_slip(station(30.0), station(end)) || station(end).signal[2] > 0.0);
         int trials = 0;
-        const auto changes = meter.locate(station(30.0), station(end), 0.05, [&](double target) {
-            ++trials;
-            return state(target);
-        });
+        const auto changes = meter.locate(station(30.0), station(end), {0.05, [&](double target) {
+                                                                            ++trials;
+                                                                            return state(target);
+                                                                        }});
         ASSERT_EQ(changes.size(), 2U);
         for (const OpeningChange& change : changes) EXPECT_NEAR(change.load_factor, 31.6, 0.05);
         EXPECT_LT(trials, 25);
@@ -129,12 +130,12 @@ TEST(ClosureMeter, GivesNoLoadOfSlipWhereNoTrialTellsWhetherItHides) {
         return ClosureStation{target, target, meter.signal(report, {}), meter.nearest(report)};
     };
     const auto fails = [](double) { return ClosureMeter::Trial{}; };
-    const auto changes = meter.locate(station(30.0, 0.2), station(40.0, 0.5), 0.1, fails);
+    const auto changes = meter.locate(station(30.0, 0.2), station(40.0, 0.5), {0.1, fails});
     ASSERT_EQ(changes.size(), 1U);
     EXPECT_EQ(changes[0].signal, 2);
     EXPECT_TRUE(std::isnan(changes[0].load_factor));
     EXPECT_STREQ(meter.what_a_tip_does(changes[0]), "slides");
-    EXPECT_TRUE(meter.locate(station(30.0, 0.2), station(40.0, 0.2), 0.1, fails).empty());
+    EXPECT_TRUE(meter.locate(station(30.0, 0.2), station(40.0, 0.2), {0.1, fails}).empty());
     // Where contact farther off opens meanwhile a trial comes to equilibrium, and tells no more of the slip.
     ClosureStation before = station(30.0, 0.2), after = station(40.0, 0.5);
     after.signal[1] = -1.0;
@@ -145,7 +146,7 @@ TEST(ClosureMeter, GivesNoLoadOfSlipWhereNoTrialTellsWhetherItHides) {
         return ClosureMeter::Trial{report, target};
     };
     const std::vector<ExpectedCrossing> expected{{}, {.target = 39.8}, {}, {}};
-    for (const OpeningChange& change : meter.locate(before, after, 0.1, later, expected))
+    for (const OpeningChange& change : meter.locate(before, after, {0.1, later, expected}))
         EXPECT_EQ(std::isnan(change.load_factor), change.signal == 2) << change.signal;
 }
 

@@ -17,7 +17,7 @@ protected:
     /// On to these factors.
     void go_to(const LoadFactors& factors, const coupling::StepReport& zone = {}) {
         const Target target{.value = factors.main, .cases = factors.cases};
-        ASSERT_TRUE(find_equilibrium(equilibrium, target, Predictor(), scene.input.solver).converged);
+        ASSERT_TRUE(find_equilibrium(equilibrium, target, Predictor(), {scene.input.solver}).converged);
         add_increment(balance, structure, equilibrium.structure_displacement(), factors, equilibrium.machine_reading(),
                       zone);
         static_cast<void>(equilibrium.commit({}));

@@ -184,8 +184,7 @@ double farthest_from_a_circle(double increment, double element) {
         const double angle = std::asin(cross(along, tangent));
         const double K_II = -std::sin(angle) / (3.0 * std::cos(angle) - 1.0);  // of the largest hoop stress there
         const Tip tip{.crack = 0, .position = end, .direction = along, .s = 0.0, .upper = 1};
-        crack = longer_cracks({crack}, GrowthDirection::HoopStress, {tip}, {{.K_I = 1.0, .K_II = K_II}}, {increment},
-                              {element})[0];
+        crack = longer_cracks({crack}, GrowthDirection::HoopStress, {{tip, 1.0, K_II, increment, element}})[0];
         farthest = std::max(farthest, std::abs((crack.points.back() - centre).norm() - radius));
     }
     return farthest;
@@ -234,9 +233,9 @@ TEST(CrackAdvance, WhereFacesTouchTipsGoWhereTheSolutionReachedSays) {
 TEST(CrackAdvance, WhoTurnsByNextToNoAdvanceStays) {
     std::vector<CrackSection> cracks(1);
     cracks[0].points = {{0.0, 0.0}, {4.0, 0.0}};
-    const std::vector<Tip> tips{{.crack = 0, .position = {4.0, 0.0}, .direction = {1.0, 0.0}, .s = 4.0, .upper = 1}};
+    const Tip tip{.crack = 0, .position = {4.0, 0.0}, .direction = {1.0, 0.0}, .s = 4.0, .upper = 1};
     const auto grown = [&](double K_II, double by) {
-        return longer_cracks(cracks, GrowthDirection::HoopStress, tips, {{.K_I = 1.0, .K_II = K_II}}, {by}, {0.5})[0];
+        return longer_cracks(cracks, GrowthDirection::HoopStress, {{tip, 1.0, K_II, by, 0.5}})[0];
     };
     EXPECT_EQ(grown(10.0, 1e-11).points.size(), 2U);
     EXPECT_EQ(grown(10.0, 1e-11).points.back(), Vec2(4.0, 0.0));

@@ -183,10 +183,10 @@ TEST(GrowthLaw, SaysWhatTheTrapezoidsAreOffBy) {
     for (const double k : {-3.0, 1.0, 1e-2}) {
         const double a = 0.7, rate = 1e-5, exact = (1.0 - std::exp(-k * a)) / k / rate;
         const double passed = cycles_passed(a, rate, rate * std::exp(k * a));
-        EXPECT_NEAR(cycles_in_doubt(a, rate, rate * std::exp(k * a)), passed - exact, 1e-9 * passed);
+        EXPECT_NEAR(cycles_in_doubt({a, rate, rate * std::exp(k * a)}), passed - exact, 1e-9 * passed);
     }
-    EXPECT_EQ(cycles_in_doubt(0.7, 1e-5, 1e-5), 0.0);
-    EXPECT_EQ(cycles_in_doubt(0.0, 0.0, 1e-5), 0.0);
+    EXPECT_EQ(cycles_in_doubt({0.7, 1e-5, 1e-5}), 0.0);
+    EXPECT_EQ(cycles_in_doubt({0.0, 0.0, 1e-5}), 0.0);
 }
 
 // K goes with the root of the length, from 10 to 30 mm at once: with the exponential between the ends 18 instead of 29
@@ -197,15 +197,15 @@ TEST(GrowthLaw, TrapezoidsOfAPowerOfTheLengthAreOffByMore) {
     for (const double grown : {20.0, 1.0, 1e-2}) {
         const double passed = cycles_passed(grown, rate(a), rate(a + grown)),
                      exact = 2.0 / C * (1.0 / std::sqrt(a) - 1.0 / std::sqrt(a + grown));
-        EXPECT_NEAR(cycles_in_doubt(grown, rate(a), rate(a + grown), a, grown) / (passed - exact), 1.0, 1e-6);
+        EXPECT_NEAR(cycles_in_doubt({grown, rate(a), rate(a + grown), a, grown}) / (passed - exact), 1.0, 1e-6);
     }
     // Of two tips one grows by twice as much as half the crack: rate and length double.
     const double of_power = 20.0 * std::log(2.0) / rate(a);
-    EXPECT_NEAR(cycles_in_doubt(20.0, rate(a), 2.0 * rate(a), a, 10.0), 15.0 / rate(a) - of_power, 1e-9 * of_power);
+    EXPECT_NEAR(cycles_in_doubt({20.0, rate(a), 2.0 * rate(a), a, 10.0}), 15.0 / rate(a) - of_power, 1e-9 * of_power);
     // The rate falls, or the length is not known.
-    const double of_exponential = cycles_in_doubt(20.0, rate(a), rate(2.0 * a));
-    EXPECT_EQ(cycles_in_doubt(20.0, rate(a), rate(2.0 * a), -1.0, 20.0), of_exponential);
-    EXPECT_EQ(cycles_in_doubt(20.0, rate(2.0 * a), rate(a), a, 20.0), of_exponential);
+    const double of_exponential = cycles_in_doubt({20.0, rate(a), rate(2.0 * a)});
+    EXPECT_EQ(cycles_in_doubt({20.0, rate(a), rate(2.0 * a), -1.0, 20.0}), of_exponential);
+    EXPECT_EQ(cycles_in_doubt({20.0, rate(2.0 * a), rate(a), a, 20.0}), of_exponential);
 }
 
 }  // namespace

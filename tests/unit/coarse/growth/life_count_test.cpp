@@ -126,21 +126,21 @@ TEST(LifeCount, SumsWhatItIsOffBy) {
     count.passed({.grown = 0.1, .behind_turn = 1.0, .resolved = resolved}, 1e-5, 3e-5);
     count.turn(2e-5);
     count.passed({.grown = 0.01, .behind_turn = 0.01, .resolved = resolved}, 3e-5, 4e-5);
-    EXPECT_EQ(count.memory().doubt, cycles_in_doubt(0.1, 1e-5, 3e-5));
+    EXPECT_EQ(count.memory().doubt, cycles_in_doubt({0.1, 1e-5, 3e-5}));
     count.passed({.grown = 0.02, .behind_turn = 0.03, .resolved = resolved}, 4e-5, 5e-5);
-    EXPECT_DOUBLE_EQ(count.memory().doubt, cycles_in_doubt(0.1, 1e-5, 3e-5) + cycles_in_doubt(0.03, 2e-5, 5e-5));
+    EXPECT_DOUBLE_EQ(count.memory().doubt, cycles_in_doubt({0.1, 1e-5, 3e-5}) + cycles_in_doubt({0.03, 2e-5, 5e-5}));
 }
 
 // Both tips of a crack grow, one of them half as fast, and the last turn is 0.01 mm behind what is counted.
 TEST(LifeCount, IsInDoubtByTheLengthOfTheCrack) {
     LifeCount count;
     count.passed({.grown = 4.0, .length = 7.0, .lengthening = 0.75, .behind_turn = 9.0}, 1e-5, 3e-5);
-    EXPECT_DOUBLE_EQ(count.memory().doubt, cycles_in_doubt(4.0, 1e-5, 3e-5, 4.0, 3.0));
+    EXPECT_DOUBLE_EQ(count.memory().doubt, cycles_in_doubt({4.0, 1e-5, 3e-5, 4.0, 3.0}));
     LifeCount later;
     later.turn(2e-5);
     later.passed({.grown = 0.01, .length = 1.01, .behind_turn = 0.01, .resolved = resolved}, 3e-5, 4e-5);
     later.passed({.grown = 0.02, .length = 1.03, .behind_turn = 0.03, .resolved = resolved}, 4e-5, 5e-5);
-    EXPECT_DOUBLE_EQ(later.memory().doubt, cycles_in_doubt(0.03, 2e-5, 5e-5, 1.0, 0.03));
+    EXPECT_DOUBLE_EQ(later.memory().doubt, cycles_in_doubt({0.03, 2e-5, 5e-5, 1.0, 0.03}));
 }
 
 /// What so many growths from `a` to `b` are said to be off by, over what they are, of a plate 20 mm wide.
