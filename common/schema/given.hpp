@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/schema/schema.hpp"
+#include "common/schema/key.hpp"
 
 namespace stria::schema {
 

@@ -1,7 +1,7 @@
 // Which keys a case file may hold: unknown ones are named with their nearest neighbour, planned ones as not there yet.
 #pragma once
 
-#include "common/schema/schema.hpp"
+#include "common/schema/key.hpp"
 
 namespace stria::schema {
 

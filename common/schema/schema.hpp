@@ -2,134 +2,17 @@
 // it.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <deque>
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "common/geometry/vec2.hpp"
+#include "common/schema/codec.hpp"
 
 namespace stria::schema {
-
-struct Value;
-struct Member;
-using List = std::vector<Value>;
-using Table = std::vector<Member>;  // in the order of the file
-
-/// A value as the file gives it, with its line, so that every complaint can point at it.
-struct Value {
-    std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Table> data;
-    int line = 0;  // 0: set on the command line
-};
-
-struct Member {
-    std::string name;
-    Value value;
-};
-
-/// The file and the dotted path of a value: "crack.0.contact".
-struct Place {
-    std::string file;
-    std::string path;
-
-    [[nodiscard]] Place inside(std::string_view name) const;
-};
-
-struct Rule {
-    std::function<bool(double)> holds;
-    std::string text;  // completes "must be ..."
-};
-
-/// All that is known of one key. The builders are chained in its declaration.
-struct Key {
-    std::string name = {};
-    std::string type = {};
-    std::string fallback = {};  // the default as text
-    std::string unit = {};
-    std::string sentence = {};
-    bool required = false;
-    bool repeated = false;  // a list of tables
-    std::vector<Rule> rules = {};
-    std::vector<std::string> words = {};  // empty: any text
-    std::vector<Key> keys = {};           // of a table or of each table of a list
-
-    Key& in(std::string its_unit);
-    Key& positive();
-    Key& at_least(double bound);
-    Key& below(double bound);
-    Key& at_most(double bound);
-    Key& even();
-    Key& power_of_two();
-    Key& one_of(std::vector<std::string> allowed);
-    Key& must_be_given();
-    Key& or_else(std::string default_text);  // where the default follows from something else
-    Key& says(std::string its_sentence);
-
-    /// "> 0", ">= 0 and < 0.5", "strain | stress"; empty where anything goes.
-    [[nodiscard]] std::string range() const;
-};
-
-/// The TOML text of a value; numbers keep every digit.
-std::string to_toml(const Value& value);
-const Value* find(const Value& table, std::string_view name);
-
-/// Throw CaseError: "case.toml:14: material.yield_stress = -350 MPa must be > 0", or the path and a sentence of one's
-/// own.
-[[noreturn]] void reject(const Place& place, const Value& value, const Key& key, const std::string& demand);
-[[noreturn]] void reject(const Place& place, int line, const std::string& sentence);
-
-void decode(const Value& value, const Key& key, const Place& place, double& out);
-void decode(const Value& value, const Key& key, const Place& place, int& out);
-void decode(const Value& value, const Key& key, const Place& place, bool& out);
-void decode(const Value& value, const Key& key, const Place& place, std::string& out);
-void decode(const Value& value, const Key& key, const Place& place, std::vector<double>& out);
-void decode(const Value& value, const Key& key, const Place& place, Vec2& out);
-void decode(const Value& value, const Key& key, const Place& place, Eigen::Matrix2d& out);
-void decode(const Value& value, const Key& key, const Place& place, std::vector<Vec2>& out);
-void decode(const Value& value, const Key& key, const Place& place, std::array<std::optional<double>, 2>& out);
-
-template <class M> void decode(const Value& value, const Key& key, const Place& place, std::optional<M>& out) {
-    M read{};
-    decode(value, key, place, read);
-    out = read;
-}
-
-std::optional<Value> encode(double number);
-std::optional<Value> encode(int number);
-std::optional<Value> encode(bool truth);
-std::optional<Value> encode(const std::vector<double>& numbers);
-std::optional<Value> encode(const std::string& text);
-std::optional<Value> encode(const Vec2& point);
-std::optional<Value> encode(const Eigen::Matrix2d& matrix);
-std::optional<Value> encode(const std::vector<Vec2>& points);
-std::optional<Value> encode(const std::array<std::optional<double>, 2>& displacement);
-
-template <class M> std::optional<Value> encode(const std::optional<M>& value) {
-    return value ? encode(*value) : std::nullopt;
-}
-
-std::string type_of(double);
-std::string type_of(int);
-std::string type_of(bool);
-std::string type_of(const std::vector<double>&);
-std::string type_of(const std::string&);
-std::string type_of(const Vec2&);
-std::string type_of(const Eigen::Matrix2d&);
-std::string type_of(const std::vector<Vec2>&);
-std::string type_of(const std::array<std::optional<double>, 2>&);
-
-template <class M> std::string type_of(const std::optional<M>& /*absent*/) { return type_of(M{}); }
-
-const Table& table_of(const Value& value, const Key& key, const Place& place);
-const List& list_of(const Value& value, const Key& key, const Place& place);
 
 /// The keys of one table of the file and the members of T they fill. Defaults are those of a new T.
 template <class T> class Section {

@@ -1,56 +1,16 @@
-#include "common/schema/schema.hpp"
-
-#include "common/error.hpp"
-#include "common/geometry/vec2.hpp"
-#include "common/index.hpp"
+#include "common/schema/codec.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <initializer_list>
 #include <limits>
+
+#include "common/index.hpp"
 
 namespace stria::schema {
 namespace {
-
-constexpr std::size_t longest_excerpt = 60;  // characters of a value in an error text
-
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char letter : text) {
-        if (letter == '"' || letter == '\\')
-            out += fmt::format("\\{}", letter);
-        else if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f)
-            out += fmt::format("\\u{:04x}", static_cast<unsigned>(letter));
-        else
-            out += letter;
-    }
-    return out + '"';
-}
-
-std::string number_text(double number) {
-    const std::string text = fmt::format("{}", number);
-    return text.find_first_of(".enai") == std::string::npos ? text + ".0" : text;
-}
-
-template <class Items, class Text>
-std::string joined(const Items& items, Text text, const char* open, const char* close) {
-    std::vector<std::string> parts;
-    for (const auto& item : items) parts.push_back(text(item));
-    return fmt::format("{}{}{}", open, fmt::join(parts, ", "), close);
-}
-
-std::string excerpt(const Value& value) {
-    if (const auto* number = std::get_if<double>(&value.data)) return fmt::format("{}", *number);
-    const std::string text = to_toml(value);
-    return text.size() <= longest_excerpt ? text : text.substr(0, longest_excerpt) + "...";
-}
-
-std::optional<double> number_of(const Value& value) {
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
-    if (const auto* number = std::get_if<double>(&value.data)) return *number;
-    return std::nullopt;
-}
 
 double finite_number(const Value& value, const Key& key, const Place& place, const char* demand) {
     const std::optional<double> number = number_of(value);
@@ -78,97 +38,6 @@ List numbers(std::initializer_list<double> all) {
 }
 
 }  // namespace
-
-Place Place::inside(std::string_view name) const {
-    return {file, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name)};
-}
-
-Key& Key::in(std::string its_unit) { return unit = std::move(its_unit), *this; }
-
-Key& Key::positive() {
-    rules.push_back({[](double number) { return number > 0.0; }, "> 0"});
-    return *this;
-}
-
-Key& Key::at_least(double bound) {
-    rules.push_back({[bound](double number) { return number >= bound; }, fmt::format(">= {}", bound)});
-    return *this;
-}
-
-Key& Key::below(double bound) {
-    rules.push_back({[bound](double number) { return number < bound; }, fmt::format("< {}", bound)});
-    return *this;
-}
-
-Key& Key::at_most(double bound) {
-    rules.push_back({[bound](double number) { return number <= bound; }, fmt::format("<= {}", bound)});
-    return *this;
-}
-
-Key& Key::even() {
-    rules.push_back({[](double number) { return std::fmod(number, 2.0) == 0.0; }, "even"});
-    return *this;
-}
-
-Key& Key::power_of_two() {
-    const auto holds = [](double number) {
-        int exponent = 0;
-        return std::frexp(number, &exponent) == 0.5 && number >= 1.0;
-    };
-    rules.push_back({holds, "a power of two (1, 2, 4, ...)"});
-    return *this;
-}
-
-Key& Key::one_of(std::vector<std::string> allowed) {
-    type = "word";
-    words = std::move(allowed);
-    return *this;
-}
-
-Key& Key::must_be_given() { return required = true, *this; }
-Key& Key::or_else(std::string default_text) { return fallback = std::move(default_text), *this; }
-Key& Key::says(std::string its_sentence) { return sentence = std::move(its_sentence), *this; }
-
-std::string Key::range() const {
-    if (!words.empty()) return fmt::format("{}", fmt::join(words, " | "));
-    std::vector<std::string> texts;
-    for (const Rule& rule : rules) texts.push_back(rule.text);
-    return fmt::format("{}", fmt::join(texts, " and "));
-}
-
-std::string to_toml(const Value& value) {
-    struct Printer {
-        std::string operator()(std::monostate) const { return "(a date or time)"; }
-        std::string operator()(bool truth) const { return truth ? "true" : "false"; }
-        std::string operator()(std::int64_t whole) const { return fmt::format("{}", whole); }
-        std::string operator()(double number) const { return number_text(number); }
-        std::string operator()(const std::string& text) const { return quoted(text); }
-        std::string operator()(const List& list) const { return joined(list, to_toml, "[", "]"); }
-        std::string operator()(const Table& table) const {
-            const auto pair = [](const Member& member) { return member.name + " = " + to_toml(member.value); };
-            return table.empty() ? "{}" : joined(table, pair, "{ ", " }");
-        }
-    };
-    return std::visit(Printer{}, value.data);
-}
-
-const Value* find(const Value& table, std::string_view name) {
-    const auto* members = std::get_if<Table>(&table.data);
-    if (members == nullptr) return nullptr;
-    const auto found =
-        std::find_if(members->begin(), members->end(), [name](const Member& m) { return m.name == name; });
-    return found == members->end() ? nullptr : &found->value;
-}
-
-void reject(const Place& place, const Value& value, const Key& key, const std::string& demand) {
-    const bool with_unit = !key.unit.empty() && number_of(value);
-    reject(place, value.line, fmt::format("= {}{} {}", excerpt(value), with_unit ? " " + key.unit : "", demand));
-}
-
-void reject(const Place& place, int line, const std::string& sentence) {
-    const std::string where = line > 0 ? fmt::format("{}:{}", place.file, line) : "--set";
-    throw CaseError(fmt::format("{}: {}{}{}", where, place.path, place.path.empty() ? "" : " ", sentence));
-}
 
 void decode(const Value& value, const Key& key, const Place& place, double& out) {
     out = finite_number(value, key, place, "must be a number");
