@@ -67,8 +67,7 @@ void ContactInterface::begin_increment(bool apart) {
     if (apart)
         for (int k = 0; k < multipliers(); ++k)
             if (!resting_.contains(k)) status_[at(k)] = FaceStatus::Open;
-    visited_.clear();
-    tried_to_stick_ = one_at_a_time_ = false;
+    search_.begin();
     changes_ = 0;
 }
 
@@ -127,24 +126,8 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& traction, const Ju
         }
     }
     if (changes_ == 0) return;
-    if (visited_.contains(next)) break_cycle(next);
-    visited_.insert(next);
-    if (one_at_a_time_) {
-        const FaceStatus wanted = next[at(worst)];
-        next = status_;
-        next[at(worst)] = wanted;
-        changes_ = 1;
-    }
-    status_ = std::move(next);
-}
-
-// Slips of faces that were apart, or that slide now on and now back, say nothing of whether they stick.
-void ContactInterface::break_cycle(std::vector<FaceStatus>& next) {
-    one_at_a_time_ = one_at_a_time_ || tried_to_stick_ || std::ranges::none_of(next, fine::slides);
-    if (one_at_a_time_) return;
-    tried_to_stick_ = true;
-    visited_.clear();
-    std::ranges::replace_if(next, fine::slides, FaceStatus::Stick);
+    status_ = search_.next(status_, std::move(next), worst);
+    if (search_.one_at_a_time()) changes_ = 1;
 }
 
 double ContactInterface::residual(const Eigen::VectorXd& traction, const Jumps& jumps) const {

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <vector>
 
 #include "common/case/case.hpp"
@@ -17,6 +16,7 @@
 #include "fine/contact/face_operators.hpp"
 #include "fine/contact/faces_behind.hpp"
 #include "fine/contact/resting_faces.hpp"
+#include "fine/contact/status_search.hpp"
 
 namespace stria::fine {
 
@@ -47,9 +47,7 @@ public:
     [[nodiscard]] Jumps jumps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& traction,
                                           coupling::WorkCounts& work) const;
 
-    /// Chooses the statuses for the next Newton step from tractions and jumps. Where a set of statuses comes back
-    /// within one increment, all that slides sticks for a step; where one does again, or nothing slides, only the worst
-    /// multiplier changes its own from then on (docs/method.md, section 4).
+    /// Chooses the statuses for the next Newton step from tractions and jumps: by the law, and as StatusSearch says.
     void choose_statuses(const Eigen::VectorXd& traction, const Jumps& jumps);
     /// From what was committed. `apart`: from open faces, which the first choice leaves so.
     void begin_increment(bool apart = false);
@@ -145,7 +143,6 @@ private:
     [[nodiscard]] FaceStatus status_at(int k, const FaceState& state) const {
         return law(k).is_undecided(state) ? status_[at(k)] : law(k).status(state);
     }
-    void break_cycle(std::vector<FaceStatus>& next);
     [[nodiscard]] FaceState state_of(int k, const Eigen::VectorXd& traction, const Jumps& jumps) const;
 
     FaceOperators operators_;
@@ -156,8 +153,8 @@ private:
     Approach approach_;
     std::vector<FaceStatus> status_, committed_status_;
     RestingFaces resting_;
-    std::set<std::vector<FaceStatus>> visited_;
-    bool tried_to_stick_ = false, one_at_a_time_ = false, begins_apart_ = false;
+    StatusSearch search_;
+    bool begins_apart_ = false;
     int changes_ = 0;
 };
 
