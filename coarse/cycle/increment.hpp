@@ -8,7 +8,7 @@
 #include "coarse/equilibrium/newton.hpp"
 #include "coarse/equilibrium/work_balance.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
-#include "coarse/load/load_controller.hpp"
+#include "coarse/load/load_step.hpp"
 
 namespace stria::coarse {
 

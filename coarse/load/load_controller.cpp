@@ -9,15 +9,6 @@
 namespace stria::coarse {
 namespace {
 
-/// What an increment has of another one: of loads that change in different proportion, along it.
-double in_proportion(const LoadPosition::Taken& next, const LoadPosition::Taken& taken) {
-    const double way = taken.to - taken.from;
-    const Eigen::VectorXd cases = taken.cases_to - taken.cases_from;
-    const double length = way * way + cases.squaredNorm();
-    if (length == 0.0) return 0.0;
-    return (way * (next.to - next.from) + cases.dot(next.cases_to - next.cases_from)) / length;
-}
-
 /// Where loads lag or travel legs are no straight ways, and the load is not slow where that of [load] turns.
 IncrementSchedule schedule_of(const LoadSection& load, const CaseHistories& cases) {
     if (!cases.peak_between_ends()) return IncrementSchedule(load);
@@ -137,7 +128,7 @@ std::optional<LoadStep> LoadController::next() const {
     step.moment = leg.cycle - (leg.at_minimum || leg.leads ? 0.5 : 0.0) - 0.5 * (1.0 - way);
     step.target = {control(), arrives ? stop(increment) : position_.reached + part};
     if (cases_.count() > 0) step.target.cases = cases_at(way);
-    step.predictor = predictor(taken_by(step));
+    step.predictor = predictor_from(position_.taken, taken_by(step));
     step.next_over_this = size_of_next({way, arrives});
     step.bends = arrives && (leg.leads ? way == 1.0 : cases_.have_corner(way));
     if (arrives && increment == increments()) {
@@ -192,33 +183,12 @@ bool LoadController::is_alike() const {
            cases_at_stop(now, 0) == cases_at_stop(before, 0) && cases_at_stop(now, all) == cases_at_stop(before, all);
 }
 
-LoadPosition::Taken LoadController::taken_by(const LoadStep& step) const {
+TakenIncrement LoadController::taken_by(const LoadStep& step) const {
     return {step.cycle, position_.reached / scale_, step.target.value / scale_, position_.cases, step.target.cases};
 }
 
-// Where increments are chosen anew, or K is controlled and a crack grows, a cycle has nearly the increments of the one
-// before.
-Predictor LoadController::predictor(const LoadPosition::Taken& next) const {
-    constexpr double nearly = 0.1;  // of the increment
-    const double increment = next.to - next.from;
-    const Eigen::VectorXd more = next.cases_to - next.cases_from;
-    const double size = std::abs(increment) + more.norm();
-    const std::vector<LoadPosition::Taken>& before = position_.taken;
-    const auto off = [&](const LoadPosition::Taken& taken) {
-        return std::max(std::abs(taken.from - next.from) + (taken.cases_from - next.cases_from).norm(),
-                        std::abs(taken.to - next.to) + (taken.cases_to - next.cases_to).norm());
-    };
-    // The ramp is no cycle: virgin material flows where it will later unload and reload without.
-    const auto is_twin = [&](const LoadPosition::Taken& taken) {
-        return taken.cycle > 0 && taken.cycle < next.cycle && off(taken) <= nearly * size;
-    };
-    const auto twin = std::ranges::find_if(before, is_twin);
-    if (twin != before.end()) return {in_proportion(next, *twin), static_cast<int>(twin - before.begin()) + 1};
-    return before.empty() ? Predictor() : Predictor(std::max(in_proportion(next, before.front()), 0.0));
-}
-
-void LoadController::remember(const LoadPosition::Taken& last) {
-    std::vector<LoadPosition::Taken>& taken = position_.taken;
+void LoadController::remember(const TakenIncrement& last) {
+    std::vector<TakenIncrement>& taken = position_.taken;
     taken.insert(taken.begin(), last);
     if (taken.size() > remembered_) taken.pop_back();
 }

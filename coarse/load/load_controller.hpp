@@ -9,37 +9,13 @@
 #include "coarse/load/increment_schedule.hpp"
 #include "coarse/load/load_factors.hpp"
 #include "coarse/load/load_scale.hpp"
-#include "coarse/load/target.hpp"
-#include "common/predictor.hpp"
+#include "coarse/load/load_step.hpp"
+#include "coarse/load/taken_increment.hpp"
 
 namespace stria::coarse {
 
-struct LoadStep {
-    int cycle = 0;        // 0: the ramp
-    double moment = 0.0;  // in cycles: c where cycle c ends, half a cycle earlier at its minimum; below 0 on the ramp
-    Target target;
-    // Nearly the same increment a cycle ago; else the last one, in proportion; nothing at the start and after a
-    // reversal.
-    Predictor predictor;
-    bool reversal = false;        // a half cycle ends here
-    bool bends = false;           // the loads go on in another direction
-    double next_over_this = 1.0;  // sizes of increments, each in parts of what it is without halvings
-    bool at_maximum = false, at_minimum = false,
-         at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
-    bool ends_cycle = false;
-    bool settles = false;   // the initial stress comes to equilibrium, without load
-    bool releases = false;  // faces that growth has opened come to equilibrium, under the loads that are reached
-
-    [[nodiscard]] bool at_extreme() const { return at_maximum || at_minimum || at_zero; }
-};
-
 /// How far a load has come: all that a controller remembers.
 struct LoadPosition {
-    struct Taken {
-        int cycle = 0;
-        double from = 0.0, to = 0.0;  // in units of the history
-        Eigen::VectorXd cases_from = {}, cases_to = {};
-    };
     std::size_t leg = 0;
     int increments = 0;          // of the leg, done
     double leg_start = 0.0;      // target where it began
@@ -48,8 +24,8 @@ struct LoadPosition {
     Eigen::VectorXd cases = {};  // factors of the load cases that are reached
     double fraction = 1.0;       // of a whole increment, after cuts
     int consecutive_cuts = 0, cuts = 0;
-    std::vector<Taken> taken;  // increments to predict from, the last one first
-    int misled = 0;            // in a row, of those that were predicted from
+    std::vector<TakenIncrement> taken;  // increments to predict from, the last one first
+    int misled = 0;                     // in a row, of those that were predicted from
     IncrementSchedule::State schedule = {};
 };
 
@@ -168,9 +144,8 @@ private:
     [[nodiscard]] Eigen::VectorXd cases_at_stop(int increment) const { return cases_at_stop(position_.leg, increment); }
     [[nodiscard]] Eigen::VectorXd cases_at_stop(std::size_t leg, int increment) const;
     [[nodiscard]] Eigen::ArrayXd largest_cases() const;  // magnitudes, at the stops of the leg
-    [[nodiscard]] LoadPosition::Taken taken_by(const LoadStep& step) const;
-    [[nodiscard]] Predictor predictor(const LoadPosition::Taken& next) const;
-    void remember(const LoadPosition::Taken& last);
+    [[nodiscard]] TakenIncrement taken_by(const LoadStep& step) const;
+    void remember(const TakenIncrement& last);
 
     Control control_;
     CaseHistories cases_;

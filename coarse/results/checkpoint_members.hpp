@@ -16,7 +16,7 @@ namespace stria::coarse {
 
 // The load, and how far it has come.
 STRIA_MEMBERS(LoadFactors, main, cases)
-STRIA_MEMBERS(LoadPosition::Taken, cycle, from, to, cases_from, cases_to)
+STRIA_MEMBERS(TakenIncrement, cycle, from, to, cases_from, cases_to)
 STRIA_MEMBERS(OpeningPath, way, opening)
 STRIA_MEMBERS(IncrementSchedule::Legs, increments, alike, unmeasured, taken, knows_pressing)
 STRIA_MEMBERS(TwoAsOne, from, to, opening)
