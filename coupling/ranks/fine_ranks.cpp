@@ -12,28 +12,11 @@
 #include "coupling/moved_increments.hpp"
 #include "coupling/ranks/answers.hpp"
 #include "coupling/ranks/merged_reports.hpp"
-#include "coupling/ranks/zone_partition.hpp"
 
 namespace stria::coupling {
-namespace {
-
-std::map<int, int> by_id(const EnrichedMesh& zone, const std::vector<int>& rank_of) {
-    std::map<int, int> owners;
-    for (std::size_t e = 0; e < rank_of.size(); ++e)
-        owners.emplace_hint(owners.end(), zone.element_ids[e], rank_of[e]);  // ascending ids
-    return owners;
-}
-
-std::map<int, int> owners_in(const ZoneSnapshot& snapshot) {
-    std::map<int, int> owners;
-    for (std::size_t e = 0; e < snapshot.element.size(); ++e) owners[snapshot.element[e]] = snapshot.rank[e];
-    return owners;
-}
-
-}  // namespace
-
 FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
-    : scales_(std::move(ranks)), increments_(remembered), reports_(scales_.size()) {}
+    : scales_(std::move(ranks)), sharing_(static_cast<int>(scales_.size())), increments_(remembered),
+      reports_(scales_.size()) {}
 
 void FineRanks::set_patch(const Patch& patch) {
     if (given_.empty()) begin_set_patch(patch);
@@ -42,54 +25,11 @@ void FineRanks::set_patch(const Patch& patch) {
 }
 
 void FineRanks::begin_set_patch(const Patch& patch) {
-    std::vector<double> flow = flow_in(patch);
-    choose_owners(patch, flow);
+    if (sharing_.turn_to(patch, patch_.mesh, static_cast<int>(parts_.size()))) move_history();
     given_ = take(patch, known_displacement(patch), moved_to(patch.mesh));
-    flow_ = std::move(flow);
+    sharing_.arrive();
     for (std::size_t k = 0; k < given_.size(); ++k) scale_of(parts_[k]).begin_set_patch(given_[k]);
     tree_.emplace(patch_.mesh, parts_, seams_);
-}
-
-// Elements keep their rank unless a crack ties together those of several, or another sharing is much better. That is
-// looked at where the cost is another one than when it was looked at last. While elements are split their history stays
-// where it is.
-void FineRanks::choose_owners(const Patch& patch, const std::vector<double>& flow) {
-    constexpr double much_better = 0.85, another = 0.05;
-    // Who has lost all elements gets none by a new sharing; where one that is new comes to it, it begins anew (divide).
-    const int ranks = static_cast<int>(owner_.empty() ? scales_.size() : parts_.size());
-    const std::optional<std::vector<int>> on =
-        owner_.empty() ? std::nullopt : share_on(patch.mesh, owner_, patch.part_of);
-    const auto cost = [&](const std::vector<int>& rank_of) { return cost_of_sharing(patch.mesh, rank_of, flow); };
-    const double cost_on = on ? cost(*on) : 0.0;
-    if (on && (ranks == 1 || !patch.part_of.empty() || std::abs(cost_on - weighed_cost_) < another * weighed_cost_)) {
-        owner_ = by_id(patch.mesh, *on);
-        return;
-    }
-    const std::vector<int> anew = share_out(patch.mesh, ranks, patch_.mesh, patch.part_of, flow);
-    const bool stays = on && cost(anew) > much_better * cost_on;
-    weighed_cost_ = stays ? cost_on : cost(anew);
-    const bool knew = !std::exchange(owner_, by_id(patch.mesh, stays ? *on : anew)).empty();
-    if (knew && !stays) move_history();
-}
-
-/// By id; parts have that of their whole.
-std::vector<double> FineRanks::flow_in(const Patch& next) const {
-    std::map<int, double> known;
-    for (std::size_t e = 0; e < flow_.size(); ++e)
-        known.emplace_hint(known.end(), patch_.mesh.element_ids[e], flow_[e]);
-    std::vector<double> flow;
-    for (std::size_t e = 0; e < next.mesh.elements.size(); ++e) {
-        const bool is_part = !next.part_of.empty() && next.part_of[e] >= 0;
-        const auto found = known.find(is_part ? next.part_of[e] : next.mesh.element_ids[e]);
-        flow.push_back(found != known.end() ? found->second : 0.0);
-    }
-    return flow;
-}
-
-void FineRanks::note_flow(const Digest& digest) {
-    constexpr double newest = 1.0 / 64.0;  // of a mean that forgets: about a cycle
-    for (std::size_t e = 0; e < flow_.size(); ++e)
-        flow_[e] += newest * ((digest.yielding_points[e] > 0 ? 1.0 : 0.0) - flow_[e]);
 }
 
 // As many as all know: a rank that has been idle knows none.
@@ -111,12 +51,8 @@ MovedIncrements FineRanks::moved_to(const EnrichedMesh& next) {
 }
 
 void FineRanks::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
-    const bool same_ranks = snapshot.ranks == std::ssize(scales_);
-    const int ranks = static_cast<int>(scales_.size());
-    owner_ = same_ranks ? owners_in(snapshot) : by_id(patch.mesh, share_out(patch.mesh, ranks, {}, {}, snapshot.flow));
+    sharing_.resume(patch, snapshot);
     go_on_from(patch, snapshot);
-    flow_ = snapshot.flow;
-    weighed_cost_ = same_ranks ? snapshot.weighed_cost : 0.0;
 }
 
 // Of the patch that all know. It changes no state, as a checkpoint would not.
@@ -138,7 +74,7 @@ Eigen::VectorXd FineRanks::known_displacement(const Patch& next) const {
 /// The patches of the parts.
 std::vector<Patch> FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement,
                                    const MovedIncrements& moved) {
-    DividedPatch divided = divide(patch, owner_, displacement, parts_);
+    DividedPatch divided = divide(patch, sharing_.owner(), displacement, parts_);
     patch_ = patch;
     parts_ = std::move(divided.parts);
     seams_ = std::move(divided.seams);
@@ -204,7 +140,7 @@ PatchResponse FineRanks::collect() {
         add(response, answers[k], parts_[k].elements);
         due(parts_[k].shared) += answers[k].due;
     }
-    note_flow(response.digest);
+    sharing_.note(response.digest);
     opens_faces_ = response.opens_faces;
     response.due = gather(due, seams_.gamma);
     for (const int seam : seams_.between)
@@ -262,12 +198,12 @@ void FineRanks::rollback() {
 }
 
 ZoneSnapshot FineRanks::snapshot() {
-    return together({patch_.mesh, parts_, flow_, weighed_cost_}, &FineScale::snapshot);
+    return together({patch_.mesh, parts_, sharing_.flow(), sharing_.weighed_cost()}, &FineScale::snapshot);
 }
 
 void FineRanks::keep() {
     for (const RankPart& part : parts_) scale_of(part).keep();
-    kept_ = {patch_.mesh, parts_, flow_, weighed_cost_};
+    kept_ = {patch_.mesh, parts_, sharing_.flow(), sharing_.weighed_cost()};
 }
 
 ZoneSnapshot FineRanks::kept() { return together(kept_, &FineScale::kept); }

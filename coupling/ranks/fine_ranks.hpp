@@ -2,13 +2,13 @@
 // substructures, and the merge above them stands here (docs/method.md, section 1).
 #pragma once
 
-#include <map>
 #include <optional>
 #include <vector>
 
 #include "common/predictor.hpp"
 #include "coupling/fine_scale.hpp"
 #include "coupling/ranks/seam_tree.hpp"
+#include "coupling/ranks/zone_sharing.hpp"
 
 namespace stria::coupling {
 
@@ -41,10 +41,7 @@ public:
     [[nodiscard]] int history_moves() const { return history_moves_; }
 
 private:
-    void choose_owners(const Patch& patch, const std::vector<double>& flow);
     void move_history();
-    [[nodiscard]] std::vector<double> flow_in(const Patch& next) const;
-    void note_flow(const Digest& digest);
     struct Kept {  // of a state, beside what the ranks have
         EnrichedMesh mesh;
         std::vector<RankPart> parts;
@@ -65,9 +62,7 @@ private:
 
     std::vector<FineScale*> scales_;
     Patch patch_;
-    std::map<int, int> owner_;   // rank by id of an element
-    std::vector<double> flow_;   // of each element: cost_of_sharing(); recent iterations count most
-    double weighed_cost_ = 0.0;  // ZoneSnapshot::weighed_cost, by cost_of_sharing()
+    ZoneSharing sharing_;
     std::vector<RankPart> parts_;
     std::vector<Patch> given_;  // to the parts, and they may not have it yet
     Kept kept_;
