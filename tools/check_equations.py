@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Checks docs/equations.md: every equation that the sources cite has a row, and every file:name and test of it exists; and every
-file:name of docs/theory.md."""
+file:name of docs/theory.md and docs/architecture.md."""
 
 import re
 import sys
@@ -8,7 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 TABLE = "docs/equations.md"
-CHAIN = "docs/theory.md"
+CHAINS = ("docs/theory.md", "docs/architecture.md")
 SOURCES = ("app", "common", "coupling", "coarse", "fine", "tests", "bench")
 
 # "eq. (3)", "Eq. (1), (2)", "equation 2", and each further number in its chain.
@@ -61,7 +61,7 @@ def main():
     rows = {row.group(1) for row in map(ROW.match, lines) if row}
     known_tests = tests()
     places = 0
-    for page in (TABLE, CHAIN):
+    for page in (TABLE, *CHAINS):
         for number, line in enumerate((ROOT / page).read_text(encoding="utf-8").splitlines(), 1):
             for path, name in PLACE.findall(line):
                 places += 1

@@ -103,8 +103,8 @@ TipSteps CrackGrowth::steps_about(std::size_t fastest, const Scene& present, dou
     return steps;
 }
 
-double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
-                              const std::vector<double>& elements) {
+double CrackGrowth::increment_of_fastest(const std::vector<CycleResult>& last, const Scene& present, double turn,
+                                         const std::vector<double>& elements) {
     const std::vector<Tip>& tips = present.enriched.tips;
     const std::vector<double> lengthening = rates_.lengthening(tips);
     if (is_prescribed(growth_)) return growth_.increment.value();
@@ -140,7 +140,7 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));
-    const double increment = this->increment(last, present, turn, elements);
+    const double increment = increment_of_fastest(last, present, turn, elements);
     std::vector<Cracks> ways{by(increment, growth_.direction)};
     warn_of_sharp_turns(tips, ways.front(), elements);
     constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I

@@ -11,15 +11,8 @@
 #include "coarse/growth/growth_increment.hpp"
 #include "coarse/growth/growth_texts.hpp"
 #include "coarse/growth/tip_rates.hpp"
-#include "coarse/load/load_controller.hpp"
 
 namespace stria::coarse {
-
-/// What a growth of the cracks makes of a scene.
-struct GrownScene {
-    std::unique_ptr<Scene> longer;      // null: growth ends the run
-    std::unique_ptr<FinerScene> finer;  // the present cracks on the mesh of `longer`; null: it is the present mesh
-};
 
 class CrackGrowth {
 public:
@@ -64,9 +57,9 @@ private:
     using Cracks = std::vector<CrackSection>;
 
     [[nodiscard]] std::vector<LengthAndK> reached(const std::vector<CycleResult>& last) const;
-    /// Of the fastest tip, mm. `turn`: the largest of the tips, radians; `elements`: edges of theirs, mm.
-    [[nodiscard]] double increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
-                                   const std::vector<double>& elements);
+    /// mm. `turn`: the largest of the tips, radians; `elements`: edges of theirs, mm.
+    [[nodiscard]] double increment_of_fastest(const std::vector<CycleResult>& last, const Scene& present, double turn,
+                                              const std::vector<double>& elements);
     /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
     [[nodiscard]] std::vector<Cracks> ways(const Scene& present, const std::vector<TipResult>& guides,
                                            const std::vector<CycleResult>& last);

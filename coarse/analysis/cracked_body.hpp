@@ -11,10 +11,17 @@
 
 namespace stria::coarse {
 
+/// What a growth of the cracks makes of a scene.
+struct GrownScene {
+    std::unique_ptr<Scene> longer;      // null: growth ends the run
+    std::unique_ptr<FinerScene> finer;  // the present cracks on the mesh of `longer`; null: it is the present mesh
+};
+
 class CrackedBody {
 public:
     /// Chooses the zone by eq. (3), or takes everything from a state of the same case. `scene`: of the cracks as they
-    /// were at the start. `scene`, `effort` and `note` must outlive the body.
+    /// were at the start. `scene`, `effort` and `note` must outlive the body. Throws CaseError where cracks of the
+    /// state have left functions that it does not hold (growth.retain = "all").
     CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& note, const AnalysisState* from);
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
@@ -41,9 +48,10 @@ public:
     [[nodiscard]] const std::vector<double>& largest_K() const { return nominal_.largest_K(); }
     /// Of the cracks that the run began with.
     [[nodiscard]] const UnitResponse& nominal_at_start() const { return nominal_at_start_; }
-    /// Of the present ones; and the growth of the first tip so far, mm.
+    /// Of the present ones; and of that what the loaded boundary does.
     [[nodiscard]] UnitResponse nominal_response() const { return nominal_.response(*scene_); }
     [[nodiscard]] const UnitDisplacement& unit_displacement() const { return nominal_.unit_displacement(); }
+    /// By which the first tip has grown so far, mm.
     [[nodiscard]] double grown() const { return nominal_.grown(); }
     /// A unit of the load history as a target (load_scale.hpp).
     [[nodiscard]] double load_scale() const;

@@ -21,8 +21,9 @@ public:
     FatigueAnalysis(const FatigueAnalysis&) = delete;
     FatigueAnalysis& operator=(const FatigueAnalysis&) = delete;
 
-    /// Runs all blocks, or until the listener stops it. Throws NumericalFailure where an increment fails after cutting:
-    /// what, where, at which load.
+    /// Runs all blocks, or until the listener stops it. Throws NumericalFailure where an increment fails after cutting,
+    /// new faces are not released, or the cracks or the zone cannot grow: what, where, at which load. CaseError where
+    /// the body that this would make is one that no case may ask for.
     void run();
 
     /// Nothing is left to do.

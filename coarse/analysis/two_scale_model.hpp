@@ -7,7 +7,7 @@
 
 #include "coarse/advice/mesh_adequacy.hpp"
 #include "coarse/analysis/committed_displacement.hpp"
-#include "coarse/analysis/crack_growth.hpp"
+#include "coarse/analysis/cracked_body.hpp"
 #include "coarse/cycle/closure_meter.hpp"
 #include "coarse/equilibrium/equilibrium_factory.hpp"
 #include "coarse/fracture/structure_rings.hpp"

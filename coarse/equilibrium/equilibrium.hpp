@@ -62,6 +62,8 @@ struct MachineReading {
     Eigen::VectorXd imposed_forces_of_cases = {};  // likewise, of each load case
 };
 
+/// begin(), linearise() and solve() may throw NumericalFailure: a return mapping or a factor fails, or a part of
+/// the body moves freely. A rollback() makes it whole again.
 class Equilibrium {
 public:
     Equilibrium() = default;

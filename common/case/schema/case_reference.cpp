@@ -88,9 +88,10 @@ std::string explain(const std::string& key) {
 }
 
 std::string case_reference_markdown() {
-    std::string text = "# Reference of the case file\n\n"
-                       "Written by `stria explain --markdown` from the declarations in `common/case/*_schema.cpp`; "
-                       "do not edit.\nUnits are N, mm, MPa throughout. A range holds for finite numbers only.\n";
+    std::string text =
+        "# Reference of the case file\n\n"
+        "Written by `stria explain --markdown` from the declarations in `common/case/schema/*_schema.cpp`; "
+        "do not edit.\nUnits are N, mm, MPa throughout. A range holds for finite numbers only.\n";
     std::vector<Key> top;
     std::string sections;
     for (const Key& key : case_schema().keys()) {

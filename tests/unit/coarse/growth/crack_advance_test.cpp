@@ -171,7 +171,6 @@ TEST(CrackAdvance, KnowsHowFarATipIsBehindASharpTurn) {
     EXPECT_TRUE(std::isinf(behind_sharp_turn(straight, first)));
 }
 
-// docs/references.md 2.4: an inclined crack at b to the load, K_I : K_II = sin b : cos b.
 /// The farthest that a crack gets from the circle of radius 50 mm whose tangent it turns to at the end of each step.
 double farthest_from_a_circle(double increment, double element) {
     CrackSection crack{.points = {{-5.0, 0.0}, {0.0, 0.0}}, .contact = {}};
