@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <tuple>
 
@@ -38,20 +37,7 @@ struct RingValues {
     double J, K_I, K_II, K_I_of_wake, K_II_of_wake, T_stress;
 };
 
-/// The point force of the interaction integral tells E' du_1/dx_1. With an initial stress T is this and what the strain
-/// has not: sigma_0,11 - nu' sigma_0,22 at the tip, MPa.
-double T_of_initial_stress(const Scene& scene, const Tip& tip) {
-    const Mandel stress = scene.initial_stress().at(tip.position, tip.material);
-    const Elasticity& metal = scene.elastic(tip);
-    const double poisson = metal.plane_modulus() / (2.0 * metal.shear_modulus()) - 1.0, c = tip.direction.x(),
-                 s = tip.direction.y(), shear = std::numbers::sqrt2 * stress[3] * c * s;
-    const double ahead = c * c * stress[0] + s * s * stress[1] + shear,
-                 across = s * s * stress[0] + c * c * stress[1] - shear;
-    return ahead - poisson * across;
-}
-
-/// `T_initial`: what T has of the initial stress, MPa.
-RingValues values_of(const DomainIntegral& of_ring, double plane_modulus, double T_initial) {
+RingValues values_of(const DomainIntegral& of_ring, double plane_modulus) {
     const DomainIntegral sum = of_ring.without_rotation();
     const double K = plane_modulus / 2.0;  // of an interaction
     return {.J = sum.J,
@@ -59,7 +45,7 @@ RingValues values_of(const DomainIntegral& of_ring, double plane_modulus, double
             .K_II = K * sum.interaction_II,
             .K_I_of_wake = K * sum.wake_I,
             .K_II_of_wake = K * sum.wake_II,
-            .T_stress = plane_modulus * sum.interaction_T + T_initial};
+            .T_stress = plane_modulus * sum.interaction_T};
 }
 
 std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainIntegral> total,
@@ -67,10 +53,9 @@ std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainI
     for (const coupling::RingReport& share : report.rings) {
         if (share.tip == t) total[at(share.number)] += share.sums;
     }
-    const Tip& tip = scene.enriched.tips[at(t)];
-    const double modulus = scene.elastic(tip).plane_modulus(), of_initial = T_of_initial_stress(scene, tip);
+    const double modulus = scene.elastic(scene.enriched.tips[at(t)]).plane_modulus();
     std::vector<RingValues> values;
-    for (const DomainIntegral& of_ring : total) values.push_back(values_of(of_ring, modulus, of_initial));
+    for (const DomainIntegral& of_ring : total) values.push_back(values_of(of_ring, modulus));
     return values;
 }
 
@@ -168,7 +153,7 @@ std::vector<TipResult> nominal_K(const StructureRings& rings, const Eigen::Vecto
         DomainIntegral sum = rings.about(t).of_K(u);
         const std::vector<Annulus>& annuli = rings.about(t).rings();
         if (on_faces != nullptr) sum += interactions_of(*on_faces, scene, t, annuli[first_for_K(annuli)]);
-        const RingValues values = values_of(sum, scene.elastic(tip).plane_modulus(), 0.0);
+        const RingValues values = values_of(sum, scene.elastic(tip).plane_modulus());
         results.push_back(at_place_of(scene, tip));
         results.back().J = results.back().J_spread = results.back().K_spread = results.back().CMOD = std::nan("");
         results.back().K_I = values.K_I;

@@ -8,6 +8,7 @@
 #include "coarse/model/rings.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
+#include "common/material/initial_strain.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -265,6 +266,7 @@ std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseEl
     const Elasticity& elastic = scene.elastic(about);
     constexpr bool with_inside = true;
     RingSums sums(scene.enriched, about, elastic, rings_, elements.near(), with_inside);
+    const Eigen::Matrix2d of_initial = gradient_of_initial_stress(scene.materials, about.position, about.material);
     elements.for_each(sums.elements(), [&](const auto& op) {
         sums.enter(op.element);
         const auto local = gather(u, op.unknowns);
@@ -273,7 +275,7 @@ std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseEl
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const Vec2& x = op.points[q].x;
             const Mandel stress = stiffness * op.strain(local, q) + scene.initial_stress(op.element, x);
-            sums.add(op.points[q], stress, op.displacement_gradient(local, q), elastic.energy(stress));
+            sums.add(op.points[q], stress, op.displacement_gradient(local, q) + of_initial, elastic.energy(stress));
             sums.add_initial(op.points[q], stress, scene.initial_stress().slope(x, about.material, about.direction));
             if (!scene.materials.are_alike(about.material, material))
                 sums.add_mismatch(op.points[q], scene.materials.mismatch(about.material, material, x, stress));

@@ -5,6 +5,8 @@
 #include <optional>
 #include <span>
 
+#include "common/material/initial_strain.hpp"
+
 namespace stria::fine {
 
 namespace {
@@ -16,8 +18,9 @@ void add_points(RingSums& rings, const Bulk& bulk, EnergyDensity density, int e)
     const Tip& tip = rings.tip();
     const int material = bulk.elements().mesh().material_of(e);
     const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
+    const Eigen::Matrix2d of_initial = gradient_of_initial_stress(materials, tip.position, tip.material);
     bulk.for_each_committed_state(e, density, [&](std::size_t q, const Bulk::PointState& state) {
-        rings.add(points[q], state.stress, state.gradient, state.energy);
+        rings.add(points[q], state.stress, state.gradient + of_initial, state.energy);
         const Vec2& x = points[q].x;
         if (initial.any()) rings.add_initial(points[q], state.stress, initial.slope(x, tip.material, tip.direction));
         if (!materials.are_alike(tip.material, material))

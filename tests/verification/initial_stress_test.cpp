@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <tuple>
 
 #include "common/fem/centre.hpp"
 #include "tests/support/comparison.hpp"
@@ -154,21 +155,27 @@ TEST(InitialStress, AddsToTheLoadInAnElasticBody) {
     EXPECT_EQ(cycle.K_initial, nominal.K_initial);
 }
 
-// All of it has shrunk alike, so nothing holds it: no stress is left, and T is that and not what the strain alone
-// tells.
-TEST(InitialStress, OfABodyThatShrinksAsAWholeLeavesNoT) {
-    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
+// All of it has shrunk alike, so nothing holds it: no stress is left, and K and T are that and not what the strain
+// alone tells. Along a crack that bends its strain gave K of up to 1.5 % of what the stress would make: the auxiliary
+// fields leave tractions on faces that are off the tip's line.
+TEST(InitialStress, OfABodyThatShrinksAsAWholeLeavesNoKAndNoT) {
+    const std::vector<Vec2> straight{{0.0, 2.0}, {0.3, 2.0}}, bent{{0.0, 1.95}, {0.22, 2.0}, {0.35, 2.09}};
+    for (const auto& [plane, points, touches] :
+         {std::tuple(PlaneState::Strain, straight, false), std::tuple(PlaneState::Stress, straight, true),
+          std::tuple(PlaneState::Strain, bent, true), std::tuple(PlaneState::Stress, bent, false)}) {
         Case input = edge_crack(0.3, 4.0, End::Pulled);
         input.mesh.size = 1.0 / 21.0;
         input.model.plane = plane;
+        input.cracks[0].points = points;
+        if (touches) input.cracks[0].contact = ContactSection{};
         input.regions = {misfit({{-1.0, -1.0}, {2.0, 5.0}}, input.material.young, 150.0)};
         input.regions[0].material.poisson = input.material.poisson;
         input.regions[0].initial_stress->xx = 40.0;
         input.load = {.steps = 2, .blocks = {{.cycles = 1, .max = 1.0, .min = 0.0}}};
         const coarse::TipResult tip = run_direct(input).increments.front().tips[0];
-        EXPECT_NEAR(tip.T_stress, 0.0, 1e-4);
-        EXPECT_NEAR(tip.K_I, 0.0, 1e-4);
-        EXPECT_NEAR(tip.K_II, 0.0, 1e-4);
+        EXPECT_NEAR(tip.T_stress, 0.0, 1e-8);
+        EXPECT_NEAR(tip.K_I, 0.0, 1e-8);
+        EXPECT_NEAR(tip.K_II, 0.0, 1e-8);
     }
 }
 
