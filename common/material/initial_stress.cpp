@@ -84,6 +84,10 @@ InitialStress::InitialStress(const Case& input)
         add(region.material, region.initial_stress.value_or(MisfitStress()));
 }
 
+bool InitialStress::is_alike_in(int one, int other) const {
+    return !any_ || misfit_[stria::at(one)] == misfit_[stria::at(other)];
+}
+
 Mandel InitialStress::with_zz(const Eigen::Vector3d& in_plane, int material) const {
     const double xx = in_plane[0], yy = in_plane[1], xy = in_plane[2];
     return {xx, yy, across_[stria::at(material)] * (xx + yy), std::numbers::sqrt2 * xy};

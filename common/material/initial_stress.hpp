@@ -19,6 +19,9 @@ public:
 
     [[nodiscard]] bool any() const { return any_; }
 
+    /// Whether elements of both materials, of one elasticity, have the same at every place.
+    [[nodiscard]] bool is_alike_in(int one, int other) const;
+
     /// At a place in an element of a material (materials.hpp), MPa. Across the plane of plane strain nu (xx + yy), as
     /// in an elastic body.
     [[nodiscard]] Mandel at(const Vec2& x, int material) const;

@@ -31,7 +31,7 @@ public:
 
     /// Both answer a stress alike as long as nothing flows.
     [[nodiscard]] bool are_alike(int one, int other) const {
-        return one == other || (elastic(one) == elastic(other) && !initial_stress_.any());
+        return one == other || (elastic(one) == elastic(other) && initial_stress_.is_alike_in(one, other));
     }
 
     /// Elastic strain in the plane, xx, yy, 0, sqrt(2) xy, that material `of` would have at x under the stress of an

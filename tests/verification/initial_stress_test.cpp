@@ -179,6 +179,23 @@ TEST(InitialStress, OfABodyThatShrinksAsAWholeLeavesNoKAndNoT) {
     }
 }
 
+/// The metal of a weld is another one and yet as elastic as the plate: rings pass through both, and J is known however
+/// near the crack is to where they meet.
+TEST(InitialStress, AcrossMetalsOfOneElasticityJIsThatOfOne) {
+    Case input = EdgeCrackInAProfile::input(0.3);
+    input.load = {.steps = 2, .blocks = {{.cycles = 1, .max = 50.0, .min = 0.0}}};
+    const coarse::TipResult of_one = run_direct(input).at_maximum().tips[0];
+    const auto with = [&](double yy) {
+        Case welded = input;
+        welded.regions = {misfit({{-1.0, 2.001}, {2.0, 2.004}, {0.5, 9.0}}, input.material.young, yy)};
+        welded.regions[0].material.poisson = input.material.poisson;
+        return run_direct(welded).at_maximum().tips[0];
+    };
+    EXPECT_EQ(with(0.0).J, of_one.J);
+    EXPECT_EQ(with(0.0).K_I, of_one.K_I);
+    EXPECT_TRUE(std::isnan(with(1.0).J));  // of which nobody knows it across the interface
+}
+
 /// A misfit above the crack's plane, so that it slides without load: it goes on across the largest hoop stress of load
 /// and stress together at the maximum, wherever in the cycle it grows.
 TEST(InitialStress, TurnsACrackThatTheLoadOnlyOpens) {
