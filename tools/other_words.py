@@ -6,6 +6,7 @@ import math
 import re
 
 import random_scenes as scenes
+from twins import same
 
 WIDTH = 10.0
 # Powers of length and stress.
@@ -25,7 +26,6 @@ COLUMNS = {
 TOLERANCE = {name: tolerance for name, (_, _, tolerance) in COLUMNS.items()}
 
 
-
 def kind_of(column):
     return next((kind for kind, (names, _, _) in COLUMNS.items() if column in names.split()), None)
 
@@ -37,10 +37,6 @@ def walked(value, change, path=""):
     if isinstance(value, list):
         return [walked(inner, change, path) for inner in value]
     return value if isinstance(value, (bool, str)) else change(path, value)
-
-
-def same(_column, value):
-    return value
 
 
 def units_of_keys():

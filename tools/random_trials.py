@@ -5,14 +5,16 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 
-def arguments_of(description, programs, kept):
-    """`kept`: what --keep keeps a folder of."""
+def arguments_of(description, programs, kept, only=None):
+    """`kept`: what --keep keeps a folder of. `only`: what --only takes a pattern of."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("seed", type=int)
     parser.add_argument("count", type=int)
     parser.add_argument("--programs", type=Path, default=programs)
     parser.add_argument("--keep", type=Path, help=f"folder for the {kept}")
     parser.add_argument("--jobs", type=int, default=2)
+    if only:
+        parser.add_argument("--only", default="", help=f"pattern of the {only}")
     return parser.parse_args()
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs random cases and twins of each, which say the same in other words, and compares what they leave.
 
-    tools/random_twins.py SEED COUNT [--programs build/release/bin] [--keep DIR] [--jobs 2]
+    tools/random_twins.py SEED COUNT [--programs build/release/bin] [--keep DIR] [--jobs 2] [--only PATTERN]
 
 A case is one of random_scenes.py or random_lives.py, with load cases, residual stress and more of hardening added, or a
 controlled displacement, a dead load and chosen increments (random_loads.py); or a body from a mesh file, of crooked
@@ -18,6 +18,13 @@ quadrilaterals. Its twins:
     renumbered nodes and elements of the mesh file in another order, elements from another of their nodes, the body moved
     turned     the mesh file's body, cracks and loads turned by an angle
 
+and of these, or of --only those named, two in five: what other_bodies.py and other_histories.py tell. A body turned by
+a right angle, from a file, in regions of one metal, a half by symmetry, with a larger zone, under a stress that is let
+go or held; faces that cannot touch or rub; an elastic crack grown at once. Sequences that repeat, turning points, a K
+or a displacement as the load that it asks for, other increments of an elastic body, loads in shares, as pressures and
+as load cases, small cycles ahead, laws of growth in other words; what is written. Some compare another case than that
+of the seed: one without flow, or with given increments.
+
 Scaled by powers of two numbers kept ten digits in the cases looked at. Others change the rounding, and rounding
 decides: the diagonal along which a rectangle beside a tip is cut into triangles, with an error of the quadrature of
 3e-4 of the T stress in elements as coarse as these; which points have begun to flow, in zones that end at them, where
@@ -30,6 +37,7 @@ import csv
 import json
 import math
 import random
+import re
 import shutil
 import sys
 import tempfile
@@ -37,12 +45,15 @@ import tomllib
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import other_bodies  # noqa: E402
+import other_histories  # noqa: E402
 import other_words  # noqa: E402
 import random_lives as lives  # noqa: E402
 import random_loads  # noqa: E402
 import random_scenes as scenes  # noqa: E402
 import random_trials  # noqa: E402
-from other_words import TOLERANCE, WIDTH, kind_of, same  # noqa: E402
+from other_words import TOLERANCE, WIDTH, kind_of  # noqa: E402
+from twins import Twin, same  # noqa: E402
 
 TABLES = ["history.csv", "cycles.csv", "closure.csv"]
 
@@ -124,7 +135,7 @@ def more_loads(case, rng):
 
 
 def run(programs, folder, name, case, mesh):
-    if mesh:
+    if "file" in case["mesh"]:
         write_mesh(folder / "body.msh", mesh)
     path = folder / f"{name.replace(' ', '-')}.toml"
     path.write_text("".join(f"{key} = {toml(value)}\n" for key, value in case.items()))
@@ -180,33 +191,66 @@ def digits(path):
         return [{key: cell for key, cell in row.items() if key != "wall_s"} for row in csv.DictReader(file)]
 
 
+def twins_of(case, mesh, folder, seed, only):
+    """Of the case, by what they are called."""
+    twins = {name: Twin(*told) for name, told in other_words.twins_of(case, mesh, folder, random.Random(f"words {seed}")).items()}
+    twins["pointed"].digits = True
+    for relation in other_bodies.RELATIONS + other_histories.RELATIONS:
+        rng = random.Random(f"{relation.__name__} {seed}")
+        twin = relation(case, rng) if only or rng.random() < 0.4 else None
+        if twin:
+            twin.mesh = twin.mesh or mesh
+            twins[relation.__name__.replace("_", " ")] = twin
+    if mesh:
+        twins["from Abaqus"] = other_bodies.from_abaqus(case, mesh)
+    return {name: twin for name, twin in twins.items() if re.search(only, name)}
+
+
+def difference(name, one, other, case, twin):
+    """Of two runs that have come to their ends, or None."""
+    if twin.digits:
+        return next((table for table in TABLES if digits(one / table) != digits(other / table)), None)
+    inner = case["mesh"].get("specimen") == "mt"
+    without = twin.without | ({"CMOD"} if name == "reversed" and inner else set())  # of the crack's first point
+    if case.get("growth", {}).get("law", "prescribed") != "prescribed":
+        without |= {"a", "da"}  # of a slower tip as exact as its K_op
+    least = {kind_of(key): abs(twin.change(key, value)) for key, value in told_from(one).items()}
+    return first_difference(twin.of_base(numbers(one, twin.change)), twin.of_twin(numbers(other, same)), without, least)
+
+
+def fault(programs, folder, name, twin, itself):
+    """What is wrong with a twin, or None. `itself`: how the case that it is the twin of has ended, and its folder."""
+    (code, said), of = itself
+    told = twin.case(of) if callable(twin.case) and code == 0 else None if callable(twin.case) else twin.case
+    if told is None:
+        return None
+    for file, text in twin.files.items():
+        (folder / file).write_text(text)
+    (its_code, it_says), its_folder = run(programs, folder, name, told, twin.mesh)
+    if its_code != code or code not in (0, 2, 3):
+        return f"{its_code} {it_says}, itself {code} {said}"
+    return difference(name, of, its_folder, twin.base, twin) if code == 0 else None
+
+
 def judge(arguments, seed):
-    rng, wrong = random.Random(seed), []
-    case, mesh = case_of(rng, seed)
+    case, mesh = case_of(random.Random(seed), seed)
+    wrong = []
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
-        (code, said), itself = run(arguments.programs, folder, "itself", case, mesh)
-        for name, (twin, its_mesh, change) in other_words.twins_of(case, mesh, folder, rng).items():
-            (its_code, it_says), its_folder = run(arguments.programs, folder, name, twin, its_mesh)
-            if its_code != code or code not in (0, 2, 3):
-                wrong.append(f"{name}: {its_code} {it_says}, itself {code} {said}")
-            elif code == 0 and name == "pointed":
-                wrong += [f"{name}: {table}" for table in TABLES if digits(itself / table) != digits(its_folder / table)]
-            elif code == 0:
-                inner = case["mesh"].get("specimen") == "mt"
-                without = {"CMOD"} if name == "reversed" and inner else set()  # of the crack's first point
-                if case.get("growth", {}).get("law", "prescribed") != "prescribed":
-                    without |= {"a", "da"}  # of a slower tip as exact as its K_op
-                found = first_difference(numbers(itself, change), numbers(its_folder, same), without,
-                                         {kind_of(key): abs(change(key, value)) for key, value in told_from(itself).items()})
-                wrong += [f"{name}: {found}"] if found else []
+        itself = run(arguments.programs, folder, "itself", case, mesh)
+        for name, twin in twins_of(case, mesh, folder, seed, arguments.only).items():
+            its_own = run(arguments.programs, folder, f"{name} itself", twin.base, mesh) if twin.base else itself
+            twin.base = twin.base or case
+            found = fault(arguments.programs, folder, name, twin, its_own)
+            wrong += [f"{name}: {found}"] if found else []
         if wrong and arguments.keep:
             shutil.copytree(scratch, arguments.keep / str(seed), dirs_exist_ok=True)
+    code, said = itself[0]
     return seed, wrong, "good" if code == 0 else f"all end with {code}: {said}"
 
 
 def main():
-    return random_trials.run(judge, random_trials.arguments_of(__doc__, scenes.ROOT / "build/release/bin", "cases whose twins differ"))
+    return random_trials.run(judge, random_trials.arguments_of(__doc__, scenes.ROOT / "build/release/bin", "cases whose twins differ", only="names of twins"))
 
 
 if __name__ == "__main__":
