@@ -223,8 +223,26 @@ def by_walker(case, rng):
     return Twin(twin, base=base)
 
 
+def looked_at_from_elsewhere(case, rng):
+    """The opening loads at a distance of closure.profile are those of a crack that is looked at there."""
+    if not any("contact" in crack for crack in case["crack"]):
+        return None
+    base = copy.deepcopy(case)
+    base["load"]["steps"] = 8
+    if "growth" in base:
+        base["growth"] = {"increment": case["growth"]["increment"]}
+    near, far = rng.uniform(0.1, 0.6), rng.uniform(0.7, 1.2)
+    twin = copy.deepcopy(base)
+    base["closure"], twin["closure"] = {"distance": near, "profile": [far]}, {"distance": far, "profile": [near]}
+    view = lambda tables, rows: {"history.csv": tables["history.csv"], "closure": [{"K_op": K_op, "K_cl": row["K_cl"]} for row, K_op in rows]}
+    of_far = lambda tables: view(tables, [(row, row["K_op"]) for row in tables["closure.csv"][1::2]])  # behind the one that is near
+    of_cycles = lambda tables: view(tables, [(row, row["K_op_contact"]) for row in tables["cycles.csv"]])
+    return Twin(twin, base=base, of_base=of_far, of_twin=of_cycles, without={"opening"})
+
+
 def written_otherwise(case, rng):
     twin = copy.deepcopy(case)
+    twin["coupling"] = {"state": rng.choice(["increment", "newton"])}
     twin["output"] = {"fields": rng.choice(["all", "cycles"]), "faces": rng.choice(["all", "none"]),
                       "format": rng.choice(["vtu", "vtkhdf"]), "checkpoint_every": 1}
     return Twin(twin, digits=True)
@@ -239,4 +257,5 @@ def written_less(case, _rng):
 
 
 RELATIONS = [repeated, by_turning_points, K_as_a_load, in_the_other_control, with_any_increments, in_two_tractions, as_pressures,
-             in_two_cases, cases_by_blocks, on_a_dead_load, after_small_cycles, rates_by_a_table, by_walker, written_otherwise, written_less]
+             in_two_cases, cases_by_blocks, on_a_dead_load, after_small_cycles, rates_by_a_table, by_walker, looked_at_from_elsewhere,
+             written_otherwise, written_less]
