@@ -111,7 +111,7 @@ def from_abaqus(case, mesh):
         lines += ["%d, S%d" % side[frozenset((a, b))] for of, a, b in edges if of == name]
     twin = copy.deepcopy(case)
     twin["mesh"] = {"file": "body.inp"}
-    return Twin(twin, files={"body.inp": "\n".join(lines + [""])}, digits=True)
+    return Twin(twin, mesh, files={"body.inp": "\n".join(lines + [""])}, digits=True)
 
 
 def in_regions(case, rng):
@@ -158,8 +158,8 @@ def half(case, _rng):
     twin["mesh"].update({"specimen": "plate", "width": 2 * width, "height": height_of(case)})
     twin["crack"][0]["points"] = [[width - tip[0], tip[1]], [width + tip[0], tip[1]]]
     change = lambda column, value: 2 * value if column in WORK | {"load"} else 1 if column == "tip" else value
-    return Twin(twin, base=base, change=change, of_base=history, of_twin=lambda tables: history(without_rows(lambda row: row["tip"] == 0)(tables)),
-                without={"CMOD"})
+    of_one_tip = without_rows(lambda row: row["tip"] == 0)
+    return Twin(twin, base=base, change=change, of_base=history, of_twin=lambda tables: history(of_one_tip(tables)), without={"CMOD"})
 
 
 def larger_zone(case, rng):

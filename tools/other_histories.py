@@ -16,7 +16,8 @@ def extremes_of(case):
 
 def are_turns(pairs):
     """Whether each extreme lies beyond those beside it, and the first is above zero."""
-    return pairs[0][0] > 0.0 and all(high > low for high, low in pairs) and all(low < later for (_, low), (later, _) in zip(pairs, pairs[1:]))
+    rise_again = all(low < later for (_, low), (later, _) in zip(pairs, pairs[1:]))
+    return pairs[0][0] > 0.0 and all(high > low for high, low in pairs) and rise_again
 
 
 def with_extremes(case, values, control):
