@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "coarse/fracture/turned_tip.hpp"
 #include "coarse/growth/growth_law.hpp"
 #include "common/case/case_questions.hpp"
 
