@@ -259,11 +259,10 @@ def thick(case, _rng):
 
 
 def grown_at_once(case, _rng):
-    """An elastic crack that has grown is the crack of its last points. With contact it would be another one: functions
-    of former tips are frozen, and strain what is about them."""
+    """An elastic crack without friction that has grown is the crack of its last points."""
     if len(case["crack"]) > 1 or case["mesh"].get("specimen") == "mt" or control_of(case) != "load":
         return None
-    base = elastic(case, contact=False)
+    base = elastic(case)
     base["growth"] = {"increment": case.get("growth", {"increment": 0.4})["increment"]}
 
     def grown(folder):

@@ -34,7 +34,8 @@ bool asks_for_opening_loads(const Case& input) { return input.growth || some_tou
 
 bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
     const Tip& tip = scene.enriched.tips[t];
-    return scene.input.growth && scene.enriched.tip_functions > 0 && may_touch(scene.input.cracks[at(tip.crack)]);
+    return scene.input.growth && scene.materials.may_yield() && scene.enriched.tip_functions > 0 &&
+           may_touch(scene.input.cracks[at(tip.crack)]);
 }
 
 /// A tip whose life its opening loads decide.

@@ -200,7 +200,7 @@ void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const
 void CrackGrowth::note_functions(const EnrichedMesh& before, const Scene& longer) {
     const bool stand = longer.enriched.tip_functions > 0;
     if (stand != (before.tip_functions > 0)) note_(functions_change(stand));
-    if (growth_.retain != Retain::All || !needs_fine(longer.input)) return;
+    if (growth_.retain != Retain::All || !longer.materials.may_yield()) return;
     for (const int tip : tips_nearly_where_they_were(longer.enriched, before))
         if (said_to_freeze_.insert(tip).second) note_(functions_frozen(tip));
 }

@@ -198,7 +198,7 @@ void CrackedBody::choose_behind(const Scene& longer) {
 }
 
 std::unique_ptr<Scene> CrackedBody::keeping_functions(const Scene& longer) const {
-    if (longer.input.growth->retain != Retain::All || !needs_fine(longer.input)) return nullptr;
+    if (longer.input.growth->retain != Retain::All || !scene_->materials.may_yield()) return nullptr;
     return std::make_unique<Scene>(with_functions_left(longer, scene_->enriched));
 }
 

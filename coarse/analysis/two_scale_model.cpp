@@ -158,7 +158,10 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     body_.note_flow(equilibrium_->yielding_points());
     increment.tips =
         fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone, closure_.opening_at());
+    const double error_so_far = work_.error();
     add_increment(work_, structure, equilibrium_->near_displacement(), factors_, increment.machine, increment.zone);
+    // Of an elastic body: all that is neither stored nor rubbed off, whatever functions came and went.
+    if (step.releases && !body_.scene().materials.may_yield()) work_.released += work_.error() - error_so_far;
     if (step.settles) begin_here(work_);
     increment.work = work_;
     return increment;
@@ -219,10 +222,7 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown, int cycle) {
     const Scene& next = keeping ? *keeping : *grown.longer;
     Eigen::VectorXd carried = body_.carried_to(next, displacement_.beside_far());
     std::optional<coupling::Patch> patch;
-    if (body_.has_zone())
-        factory_.begin_zone(patch.emplace(patch_of(next, expected, carried)));
-    else
-        work_.released = std::numeric_limits<double>::quiet_NaN();
+    if (body_.has_zone()) factory_.begin_zone(patch.emplace(patch_of(next, expected, carried)));
     const ElementSet in_zone = body_.zone_about(*grown.longer, expected);
     const Structure& before = outgrown.structure ? *outgrown.structure : body_.structure();
     std::optional<CarriedIncrements> increments;

@@ -21,8 +21,6 @@ TipEnrichment choose_enrichment(const Case& input) {
     const TipEnrichment none{.functions = 0, .exponent = 0.5};
     const TipEnrichment single{.functions = 1, .exponent = exponent}, topological{.functions = 6, .exponent = exponent};
     const TipEnrichment growing{.functions = 1, .exponent = exponent, .none_below = small_elements};
-    const bool leaves_faces = input.growth && some_touch(input.cracks);
-    const TipEnrichment linear{.functions = 6, .exponent = exponent, .none_below = leaves_faces ? small_elements : 0.0};
     // Four of the six span the singular fields of elasticity.
     const TipEnrichment geometrical{
         .functions = 4, .exponent = 0.5, .support = TipSupport::Gathered, .radius = fine.enrichment_radius};
@@ -40,11 +38,13 @@ TipEnrichment choose_enrichment(const Case& input) {
     case Enrichment::Auto:
         break;
     }
+    if (!may_yield(input)) {  // what a tip leaves is forgotten
+        if (has_friction(input.cracks)) return near_sliding;
+        return needs_fine(input) ? topological : geometrical;
+    }
+    if (!input.growth) return single;
     // What a function leaves on the faces moves opening loads, and a life by these is off by several times as much.
-    if (leaves_faces && grows_by_opening_loads(*input.growth)) return none;
-    if (may_yield(input)) return input.growth ? growing : single;
-    if (has_friction(input.cracks)) return near_sliding;
-    return needs_fine(input) ? linear : geometrical;
+    return some_touch(input.cracks) && grows_by_opening_loads(*input.growth) ? none : growing;
 }
 
 std::optional<TipEnrichment> enrichment_of_nominal(const Case& input) {

@@ -27,9 +27,9 @@ struct TipEnrichment {
 
 /// `auto`: within a fixed radius where nothing yields or touches; six functions with n = 1 of the tip's element where
 /// faces may touch; two elements around it where they have friction, which turns errors of the pressure at the tip into
-/// errors of K_II; the single function with plasticity, and none where a crack that is plastic or touches grows through
-/// small elements, or one that touches grows by its opening loads (docs/method.md, section 2). Their n is that of a
-/// power law where no crack grows, else 1.
+/// errors of K_II; the single function with plasticity, and none where such a crack grows through small elements, or
+/// touches and grows by its opening loads (docs/method.md, section 2). Their n is that of a power law where no crack
+/// grows, else 1.
 TipEnrichment choose_enrichment(const Case& input);
 
 /// Of the nominal body of a case with a zone, which is elastic whatever the zone does: the singular fields of

@@ -17,7 +17,7 @@ struct WorkBalance {
     double stored = 0.0;       // elastic energy and what hardening holds: of the present state
     double dissipated = 0.0;   // by plastic flow and friction
     double by_friction = 0.0;  // its share
-    double released = 0.0;     // by faces that growth has opened; NaN where a crack grew without a zone to see it
+    double released = 0.0;     // by faces that growth has opened
 
     double at_start = 0.0;  // stored and dissipated when the initial stress had come to equilibrium: nobody's work
 
@@ -29,7 +29,7 @@ struct WorkBalance {
 
     /// What trapezoids and backward Euler leave over: of second order in the increments.
     [[nodiscard]] double error() const { return external + at_start - stored - dissipated - released; }
-    // Shares that the error has; NaN where there is no such work, or where nobody has seen what was released.
+    // Shares that the error has; NaN where there is no such work.
     [[nodiscard]] double share_of_largest() const { return std::abs(error()) / largest; }
     [[nodiscard]] double share_of_lost() const { return std::abs(error()) / (dissipated + std::abs(released)); }
 };

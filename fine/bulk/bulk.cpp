@@ -91,7 +91,7 @@ void Bulk::carry_history(Bulk& old) {
     for (int e = 0; e < elements_.count(); ++e) {
         if (elements_.has_stayed(e)) continue;
         const std::optional<int> found = old.elements_.find(elements_.mesh(), e);
-        if (!found) {
+        if (!found || !elements_.materials().may_yield()) {
             begin_elastic(e);
             continue;
         }

@@ -38,7 +38,9 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
                            BulkElements* old)
     : BulkElements(
           mesh, materials, rule,
-          [&](int e, const CrackPiece* cut) { return old != nullptr ? old->points_kept(mesh, e, cut) : std::nullopt; },
+          [&](int e, const CrackPiece* cut) {
+              return old != nullptr && materials.may_yield() ? old->points_kept(mesh, e, cut) : std::nullopt;
+          },
           old) {}
 
 BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
@@ -75,6 +77,14 @@ void BulkElements::take_over(BulkElements& old, int own, int element, std::span<
     for (int& unknown : op.unknowns) unknown = now[at(unknown)];
     stiffness_.push_back(std::move(old.stiffness_[at(own)]));
     was_[at(element)] = own;
+}
+
+UnknownSet BulkElements::changed_unknowns() const {
+    UnknownSet changed(mesh_.unknowns);
+    for (int e = 0; e < count(); ++e)
+        if (!has_stayed(e))
+            for (const int unknown : op(e).unknowns) changed.insert(unknown);
+    return changed;
 }
 
 const CrackPiece* BulkElements::cut_of(int element) const { return mesh_.piece(piece_[at(element)]); }

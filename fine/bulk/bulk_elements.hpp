@@ -19,7 +19,8 @@ namespace stria::fine {
 class BulkElements {
 public:
     /// `rule`: but for the mean dilatation, which follows from an element's material. `old`: null, or the elements of
-    /// an earlier zone, which gives up those that stay as they are (has_stayed()); others keep their points.
+    /// an earlier zone, which gives up those that stay as they are (has_stayed()); others keep their points, but where
+    /// nothing may yield: these have no history.
     BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule, BulkElements* old);
 
     /// Points that an element has already, with `cut` the crack inside it or null; none: they are placed anew.
@@ -58,6 +59,8 @@ public:
     [[nodiscard]] bool has_stayed(int element) const { return was(element) >= 0; }
     /// Its number there, -1: it has not stayed.
     [[nodiscard]] int was(int element) const { return was_[at(element)]; }
+    /// Of those that have not stayed.
+    [[nodiscard]] UnknownSet changed_unknowns() const;
     [[nodiscard]] int built() const { return static_cast<int>(std::ranges::count(was_, -1)); }
 
     /// The points that an element of a later mesh has here already, if it is here: with weights fitted anew where the

@@ -60,6 +60,9 @@ public:
     /// Takes the gaps of a committed displacement as those to start from, and its slips as those to hold.
     void settle(const Eigen::VectorXd& u);
 
+    /// But for slips, which count from these, mm: functions have gone that had made a part of them.
+    void hold_slips(Eigen::VectorXd slips) { settled_slip_ = std::move(slips); }
+
     [[nodiscard]] const std::vector<FaceStatus>& statuses() const { return status_; }
     [[nodiscard]] const std::vector<FaceStatus>& committed_statuses() const { return committed_status_; }
     /// How faces go that are apart: what their gaps and slips grew by in the last increment, and what those that close

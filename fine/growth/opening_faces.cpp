@@ -40,6 +40,16 @@ void OpeningFaces::open(const EnrichedMesh& before, const EnrichedMesh& next, co
     *this = OpeningFaces(all, cracks_of_unknowns(next));
 }
 
+void OpeningFaces::hold_changes(const EnrichedMesh& before, const Eigen::VectorXd& force, const EnrichedMesh& next,
+                                const Eigen::VectorXd& now, const UnknownSet& changed) {
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(next.unknowns);
+    const Eigen::VectorXd balanced = carry_over(before, force, next, zero);
+    Eigen::VectorXd held = carry_over(before, this->held(before.unknowns), next, zero);
+    for (int i = 0; i < next.unknowns; ++i)
+        if (changed.contains(i)) held[i] += balanced[i] - now[i];
+    *this = OpeningFaces(held, cracks_of_unknowns(next));
+}
+
 void OpeningFaces::follow(const EnrichedMesh& before, const EnrichedMesh& next) {
     if (!any()) return;
     const Eigen::VectorXd held =

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/enrichment/enriched_mesh.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::fine {
 
@@ -26,6 +27,12 @@ public:
     /// `held`: on the unknowns of `next`, the forces in need of balance at the displacement that both meshes share;
     /// those of jumps that `before` lacks are held. May be called again before equilibrium.
     void open(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& held);
+
+    /// Where stresses have changed with the functions: all that has come out of balance is held as well. `force`: of
+    /// metal and faces, which were in equilibrium with it before, and `now`. `changed`: unknowns of what is not as it
+    /// was.
+    void hold_changes(const EnrichedMesh& before, const Eigen::VectorXd& force, const EnrichedMesh& next,
+                      const Eigen::VectorXd& now, const UnknownSet& changed);
 
     /// The same faces on another mesh.
     void follow(const EnrichedMesh& before, const EnrichedMesh& next);

@@ -15,15 +15,17 @@
 
 namespace stria::fine {
 
-void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next) {
+FrozenTips left_behind(const ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next) {
     const Eigen::VectorXd& u = memory.committed.displacement;
+    FrozenTips frozen = memory.frozen;
     for (int t = 0; t < std::ssize(before.tips); ++t) {
         const Tip& tip = before.tips[at(t)];
         const auto same = [&](const Tip& other) { return same_place(tip, other); };
         const bool stays = next.mesh.tip_functions > 0 && std::ranges::any_of(next.mesh.tips, same);
-        if (!stays && std::ranges::none_of(next.mesh.left_tips, same)) memory.frozen.freeze(before, t, u);
+        if (!stays && std::ranges::none_of(next.mesh.left_tips, same)) frozen.freeze(before, t, u);
     }
-    memory.frozen.keep_closed(before, next.mesh, carry_over(before, u, next.mesh, next.displacement));
+    frozen.keep_closed(before, next.mesh, carry_over(before, u, next.mesh, next.displacement));
+    return frozen;
 }
 
 namespace {

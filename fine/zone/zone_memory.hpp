@@ -25,9 +25,9 @@ struct ZoneMemory {
     OpeningFaces opening = {};
 };
 
-/// `next`, with longer cracks on the same elements, is to follow `before`: functions that it lacks leave their
-/// displacement behind (docs/method.md, section 7).
-void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next);
+/// `next`, with longer cracks on the same elements, is to follow `before`: what is frozen, and with it the displacement
+/// of functions that `next` lacks (docs/method.md, section 7).
+[[nodiscard]] FrozenTips left_behind(const ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next);
 
 /// Turns the committed state to the unknowns of a new mesh and of its faces. `old_contact`: null at the start, when
 /// nothing is carried.

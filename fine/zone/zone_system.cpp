@@ -39,8 +39,10 @@ TakenOver ZoneSystem::move_tips(const coupling::Patch& patch) {
 TakenOver ZoneSystem::begin_zone(const coupling::Patch& patch) {
     const std::unique_ptr<Bulk> old = std::move(bulk_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
-    if (old && patch.part_of.empty()) keep_displacement(memory_, patch_.mesh, patch);
-    make_contact(patch);
+    const Eigen::VectorXd force = old && forgets() ? committed_force(*old, *old_contact) : Eigen::VectorXd();
+    const FrozenTips past = old && patch.part_of.empty() ? left_behind(memory_, patch_.mesh, patch) : memory_.frozen;
+    if (!forgets()) memory_.frozen = past;
+    contact_ = make_contact(patch, memory_.frozen);
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
     if (old_contact) carry_increments(memory_, patch_.mesh, *old_contact, patch, *contact_);
     if (memory_.committed.displacement.isZero(0.0)) contact_->begin_touching();
@@ -49,15 +51,18 @@ TakenOver ZoneSystem::begin_zone(const coupling::Patch& patch) {
     const EnrichedMesh before = std::move(patch_.mesh);
     rings_.clear();
     begin_with(patch);
-    if (old) open_new_faces(before);
+    if (!past.tips().empty() && forgets() && has_friction(input_.cracks))
+        contact_->hold_slips(make_contact(patch, past)->operators().slips(memory_.committed.displacement));
+    if (old) open_new_faces(before, force);
     return taken_over(bulk_->elements(), false, *contact_, old_contact.get());
 }
 
-void ZoneSystem::make_contact(const coupling::Patch& patch) {
+std::unique_ptr<ContactInterface> ZoneSystem::make_contact(const coupling::Patch& patch,
+                                                           const FrozenTips& frozen) const {
     std::vector<int> boundary = patch.boundary;
     std::ranges::sort(boundary);
-    contact_ = std::make_unique<ContactInterface>(patch.mesh, boundary, input_.cracks, subcells_at_crack(input_.fine),
-                                                  input_.materials.largest_plane_modulus(), memory_.frozen);
+    return std::make_unique<ContactInterface>(patch.mesh, boundary, input_.cracks, subcells_at_crack(input_.fine),
+                                              input_.materials.largest_plane_modulus(), frozen);
 }
 
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
@@ -70,16 +75,25 @@ void ZoneSystem::begin_with(const coupling::Patch& patch) {
     rings_ = rings_of(patch_, input_.materials, input_.cracks, subcells_at_crack(input_.fine), std::move(rings_));
 }
 
-// No stress has changed: what is out of balance on a new jump is what the metal transmitted there.
-void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
+Eigen::VectorXd ZoneSystem::committed_force(Bulk& bulk, const ContactInterface& contact) const {
+    bulk.evaluate(memory_.committed.displacement);
+    Eigen::VectorXd force = bulk.internal_force();
+    contact.operators().add_force(memory_.committed.traction, force);
+    return force;
+}
+
+// No stress has changed: what is out of balance on a new jump is what the metal transmitted there. Where stresses have
+// changed with functions that are let go, what has come out of balance by that is held as well.
+void ZoneSystem::open_new_faces(const EnrichedMesh& before, const Eigen::VectorXd& force) {
     if (std::ranges::equal(before.tips, patch_.mesh.tips, same_place)) {  // more elements, or smaller ones
         memory_.opening.follow(before, patch_.mesh);
         return;
     }
-    bulk_->evaluate(memory_.committed.displacement);
-    Eigen::VectorXd force = bulk_->internal_force();
-    contact_->operators().add_force(memory_.committed.traction, force);
-    memory_.opening.open(before, patch_.mesh, -force);
+    const Eigen::VectorXd now = committed_force(*bulk_, *contact_);
+    if (forgets())
+        memory_.opening.hold_changes(before, force, patch_.mesh, now, bulk_->elements().changed_unknowns());
+    else
+        memory_.opening.open(before, patch_.mesh, -now);
 }
 
 void ZoneSystem::put_aside() { memory_.increments.put_aside(way_to_trial()); }
@@ -265,7 +279,7 @@ coupling::ZoneSnapshot ZoneSystem::snapshot() const {
 
 void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) {
     memory_.frozen = FrozenTips(snapshot.frozen_tips);
-    make_contact(patch);
+    contact_ = make_contact(patch, memory_.frozen);
     take_up(memory_, *contact_, patch.mesh, snapshot);
     const coupling::WorkCounts so_far = bulk_ ? bulk_->counts() : coupling::WorkCounts();
     bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), input_.rule(), snapshot);

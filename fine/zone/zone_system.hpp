@@ -111,7 +111,8 @@ private:
     [[nodiscard]] MaterialLaws make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }
     TakenOver move_tips(const coupling::Patch& patch);
     TakenOver begin_zone(const coupling::Patch& patch);
-    void make_contact(const coupling::Patch& patch);
+    [[nodiscard]] std::unique_ptr<ContactInterface> make_contact(const coupling::Patch& patch,
+                                                                 const FrozenTips& frozen) const;
     void begin_with(const coupling::Patch& patch);
     [[nodiscard]] Eigen::VectorXd force_of_faces() const;
     [[nodiscard]] Eigen::VectorXd load_beside(const Eigen::VectorXd& faces) const;
@@ -120,7 +121,12 @@ private:
     [[nodiscard]] ZoneUnknowns way_to_trial() const {
         return {trial_.displacement - memory_.committed.displacement, trial_.traction - memory_.committed.traction};
     }
-    void open_new_faces(const EnrichedMesh& before);
+    /// Nothing yields: what functions of the past have left behind is let go, for stresses are those of the present.
+    [[nodiscard]] bool forgets() const { return !input_.materials.may_yield(); }
+    /// Of a bulk and its faces in the committed state, on all unknowns, N/mm.
+    [[nodiscard]] Eigen::VectorXd committed_force(Bulk& bulk, const ContactInterface& contact) const;
+    /// `force`: of the metal and the faces before, in equilibrium; empty unless the zone forgets().
+    void open_new_faces(const EnrichedMesh& before, const Eigen::VectorXd& force);
     [[nodiscard]] coupling::EnergyReport spent_at_faces(bool releases) const;
     void take_over_trial(const coupling::Commit& what);
     void add_energies(const ZoneUnknowns& move, coupling::EnergyReport& energy);

@@ -223,6 +223,7 @@ TEST(SaidOfGrowth, SaysWhereFunctionsStandNoLonger) {
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     input.load = {.steps = 2, .blocks = {{.cycles = 5, .max = 60.0, .min = 0.0}}};
     input.growth = GrowthSection{.increment = 0.1, .direction = GrowthDirection::Straight};
+    input.material.yield_stress = 1e6;
     EXPECT_EQ(notes_with(run_direct(input).notes, "warning: from here on no function stands at the tips").size(), 1U);
     input.fine.enrichment = Enrichment::None;
     EXPECT_TRUE(notes_with(run_direct(input).notes, "from here on").empty());

@@ -224,8 +224,10 @@ void declare_law(Section<GrowthSection>& s) {
 
 void declare_tips(Section<GrowthSection>& s) {
     s.choice<Retain>("retain", &GrowthSection::retain, {{"frozen", Retain::Frozen}, {"all", Retain::All}})
-        .says("Functions of a tip that has moved on: frozen: a fixed displacement. all: they stay unknowns, for "
-              "comparison, where it has moved by 0.22 of an element and more.");
+        .says(
+            "Functions of a tip that has moved on: frozen: a fixed displacement. all: they stay unknowns, for "
+            "comparison, where it has moved by 0.22 of an element and more. A body of which nothing may yield forgets "
+            "them.");
     s.choice<GrowthDriving>("driving", &GrowthSection::driving,
                             {{"dK", GrowthDriving::Range},
                              {"dK_full", GrowthDriving::FullRange},

@@ -128,6 +128,7 @@ TEST_F(Advice, NamesATipThatPutsFunctionsAtAnotherOne) {
         input.mesh.grading.push_back({.at = {tip}, .size = 0.1, .outer_size = 0.1, .radius = 0.6, .growth = 0.3});
     input.cracks[0].contact = ContactSection{};
     input.growth = GrowthSection{.increment = 0.1};
+    input.material.yield_stress = 300.0;
     const auto named = [&] {
         const BodyMesh mesh(coarse::make_mesh(input.mesh, input.cracks, input.regions));
         const std::size_t tips = input.cracks.size();

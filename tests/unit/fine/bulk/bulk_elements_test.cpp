@@ -41,6 +41,31 @@ TEST(BulkElements, HaveTheUnknownsOfTheirFunctionsWhereTheyHaveStayed) {
     EXPECT_GT(now.built(), 3);
 }
 
+// Points keep a history. Where nothing may yield they have none, and lie where those of a body would that begins.
+TEST(BulkElements, KeepTheirPointsWhereMetalMayYieldAlone) {
+    const auto mesh_of = [](double tip) { return cracked(square_mesh(8), {{-1.0, 0.47}, {tip, 0.47}}, 0); };
+    const IntegrationRule rule{.subcells = 2, .tip_points = 4};
+    for (const bool may_yield : {true, false}) {
+        Case input = plate_case({{0.0, 2.4}, {2.3, 2.6}});
+        input.material.yield_stress.reset();
+        if (may_yield) input.material.yield_stress = 300.0;
+        const Materials materials(input);
+        BulkElements old(mesh_of(0.3), materials, rule, nullptr);
+        const BulkElements now(mesh_of(0.7), materials, rule, &old), begun(mesh_of(0.7), materials, rule, nullptr);
+        const UnknownSet changed = now.changed_unknowns();
+        int other = 0;
+        for (int e = 0; e < now.count(); ++e) {
+            const auto same = [](const IntegrationPoint& a, const IntegrationPoint& b) { return a.x == b.x; };
+            if (!std::ranges::equal(now.op(e).points, begun.op(e).points, same)) ++other;
+            if (now.has_stayed(e)) continue;
+            for (const int unknown : now.op(e).unknowns) EXPECT_TRUE(changed.contains(unknown));
+        }
+        EXPECT_EQ(other > 0, may_yield);
+        EXPECT_LT(changed.count(), now.mesh().unknowns);
+        EXPECT_GT(changed.count(), 0);
+    }
+}
+
 // On crooked elements, one of whose diagonals is the longer: which of them have the many points of those that a tip may
 // come to.
 TEST(BulkElements, HaveAsManyPointsWhicheverCornerIsTheFirst) {

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "common/index.hpp"
+#include "common/integration/element_operator.hpp"
+#include "tests/support/cracked_mesh.hpp"
+#include "tests/support/plates.hpp"
+
 namespace stria::fine {
 namespace {
 
@@ -61,6 +66,38 @@ TEST(OpeningFaces, OfTwoCracksReleaseWhatEachDoesAlone) {
     EXPECT_NEAR(released(first), 1.5 / 3.0, 1e-15);
     EXPECT_NEAR(released(second), 0.2 / 2.0, 1e-15);
     EXPECT_NEAR(released(forces), released(first) + released(second), 1e-15);
+}
+
+// The jumps of the second mesh are new. What has come out of balance counts where something has changed alone, and what
+// was held is held on.
+TEST(OpeningFaces, HoldWhatChangesOfFunctionsUnbalance) {
+    const Mesh body = test::square_mesh(8);
+    const EnrichedMesh before = test::cracked(body, {{-1.0, 0.47}, {0.3, 0.47}}, 1),
+                       next = test::cracked(body, {{-1.0, 0.47}, {0.7, 0.47}}, 1);
+    const std::vector<int> old = same_unknowns(next, before);
+    Eigen::VectorXd still = Eigen::VectorXd::Zero(before.unknowns), force = still,
+                    now = Eigen::VectorXd::Zero(next.unknowns);
+    UnknownSet changed(next.unknowns);
+    const auto kept = [&](int i) { return old[at(i)] >= 0; };
+    int first = 0, second = 0, jump = 0;  // two that stay, and one that is new
+    while (!kept(first)) ++first;
+    second = first + 2;
+    while (!kept(second)) ++second;
+    while (kept(jump)) ++jump;
+    still[old[at(first)]] = 5.0;
+    force[old[at(first)]] = 7.0;
+    force[old[at(second)]] = 11.0;
+    now[first] = 4.0;
+    now[second] = 10.0;
+    now[jump] = -3.0;
+    changed.insert(first);
+    changed.insert(jump);
+    OpeningFaces faces(still, cracks_of_unknowns(before));
+    faces.hold_changes(before, force, next, now, changed);
+    Eigen::VectorXd held = Eigen::VectorXd::Zero(next.unknowns);
+    held[first] = 5.0 + 7.0 - 4.0;
+    held[jump] = 3.0;
+    EXPECT_EQ(faces.held(next.unknowns), held);
 }
 
 }  // namespace
