@@ -223,8 +223,8 @@ def machined_all_along(case, _rng):
 
 
 def smooth_all_along(case, _rng):
-    """Friction that acts nowhere. An elastic body has other functions and points for it."""
-    if not has_contact(case) or "growth" in case or is_elastic(case):
+    """Friction that acts nowhere."""
+    if not has_contact(case) or "growth" in case:
         return None
     base = copy.deepcopy(case)
     base["load"].setdefault("grading", 0.8)

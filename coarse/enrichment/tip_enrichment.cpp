@@ -24,8 +24,7 @@ TipEnrichment choose_enrichment(const Case& input) {
     // Four of the six span the singular fields of elasticity.
     const TipEnrichment geometrical{
         .functions = 4, .exponent = 0.5, .support = TipSupport::Gathered, .radius = fine.enrichment_radius};
-    const TipEnrichment near_sliding{
-        .functions = 4, .exponent = 0.5, .support = TipSupport::Nodal, .most_diagonals = 1.6};
+    const TipEnrichment in_zone{.functions = 4, .exponent = 0.5, .support = TipSupport::Nodal, .most_diagonals = 1.6};
     switch (fine.enrichment) {
     case Enrichment::None:
         return none;
@@ -38,10 +37,7 @@ TipEnrichment choose_enrichment(const Case& input) {
     case Enrichment::Auto:
         break;
     }
-    if (!may_yield(input)) {  // what a tip leaves is forgotten
-        if (has_friction(input.cracks)) return near_sliding;
-        return needs_fine(input) ? topological : geometrical;
-    }
+    if (!may_yield(input)) return needs_fine(input) ? in_zone : geometrical;  // what a tip leaves is forgotten
     if (!input.growth) return single;
     // What a function leaves on the faces moves opening loads, and a life by these is off by several times as much.
     return some_touch(input.cracks) && grows_by_opening_loads(*input.growth) ? none : growing;

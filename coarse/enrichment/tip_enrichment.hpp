@@ -25,11 +25,10 @@ struct TipEnrichment {
     double none_below = 0.0;       // of the crack's length: small_elements, or 0 where functions always stand
 };
 
-/// `auto`: within a fixed radius where nothing yields or touches; six functions with n = 1 of the tip's element where
-/// faces may touch; two elements around it where they have friction, which turns errors of the pressure at the tip into
-/// errors of K_II; the single function with plasticity, and none where such a crack grows through small elements, or
-/// touches and grows by its opening loads (docs/method.md, section 2). Their n is that of a power law where no crack
-/// grows, else 1.
+/// `auto`: within a fixed radius where nothing yields or touches; within two elements around the tip's in an elastic
+/// zone, for friction turns errors of the pressure at the tip into errors of K_II; the single function with plasticity,
+/// and none where such a crack grows through small elements, or touches and grows by its opening loads (docs/method.md,
+/// section 2). Their n is that of a power law where no crack grows, else 1.
 TipEnrichment choose_enrichment(const Case& input);
 
 /// Of the nominal body of a case with a zone, which is elastic whatever the zone does: the singular fields of

@@ -16,8 +16,8 @@ struct ZoneSections {
           tolerance(input.solver.tolerance) {}
 
     [[nodiscard]] IntegrationRule rule() const {
-        // Of elastic elements around a tip that slides: points without a history, so that there may be many.
-        const bool dense = !materials.may_yield() && has_friction(cracks);
+        // Of elastic elements around a tip: points without a history, so that there may be many.
+        const bool dense = !materials.may_yield();
         return {.subcells = subcells_at_crack(fine),
                 .far_subcells = subcells_elsewhere(fine),
                 .singular_gauss = dense ? 6 : 2,
