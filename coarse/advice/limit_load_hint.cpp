@@ -28,6 +28,7 @@ bool may_have_limit_load(const Scene& scene) {
 std::string limit_load_hint(const Scene& scene, double moved) {
     if (!may_have_limit_load(scene)) return "";
     constexpr auto remedy = "load.control = \"displacement\" goes past its limit load";
+    // Of the last equilibrium, which is one that gives_way_at() has let pass: the width tells sooner.
     if (moved < part_of_body * size_of(scene.mesh).x()) return fmt::format("; if the body bears no more, {}", remedy);
     return fmt::format("; the body bears no more, its loaded boundary has moved by {:.3g} mm: {}", moved, remedy);
 }
