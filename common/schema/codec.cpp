@@ -96,6 +96,7 @@ void decode(const Value& value, const Key& key, const Place& place, std::vector<
     constexpr auto demand = "must be a list of points [[x, y], ...]";
     const auto* list = std::get_if<List>(&value.data);
     if (list == nullptr || list->empty()) reject(place, value, key, demand);
+    out.clear();
     if (number_of(list->front())) {  // a single point may go without the outer brackets
         out.push_back(pair_of_numbers(value, key, place, demand));
         return;
@@ -107,6 +108,7 @@ void decode(const Value& value, const Key& key, const Place& place, std::array<s
     constexpr auto demand = "must be two entries, each a number or \"free\"";
     const List& list = list_of_length(value, 2, key, place, demand);
     for (std::size_t axis = 0; axis < 2; ++axis) {
+        out[axis].reset();
         const auto* word = std::get_if<std::string>(&list[axis].data);
         if (word == nullptr || *word != "free") out[axis] = finite_number(list[axis], key, place, demand);
     }

@@ -65,6 +65,27 @@ TEST(Codec, TakesWholeNumbersForNumbersAndASinglePointForAList) {
     EXPECT_EQ(read_as<std::vector<Vec2>>(line_1(list_of_numbers({1.0, 2.0}))), (std::vector<Vec2>{{1.0, 2.0}}));
 }
 
+TEST(Codec, ReplacesWhatWasThere) {
+    std::vector numbers{7.0};
+    decode(line_1(list_of_numbers({1.0, 2.0})), {}, here, numbers);
+    EXPECT_EQ(numbers, (std::vector{1.0, 2.0}));
+    std::vector<Vec2> points{{7.0, 7.0}};
+    decode(line_1(list_of_numbers({1.0, 2.0})), {}, here, points);
+    EXPECT_EQ(points, (std::vector<Vec2>{{1.0, 2.0}}));
+    std::array<std::optional<double>, 2> displacement{7.0, 7.0};
+    decode(*encode(std::array<std::optional<double>, 2>{std::nullopt, 4.0}), {}, here, displacement);
+    EXPECT_EQ(displacement, (std::array<std::optional<double>, 2>{std::nullopt, 4.0}));
+}
+
+TEST(Codec, TakesTablesAndListsForWhatTheyAre) {
+    EXPECT_EQ(list_of(line_1(list_of_numbers({1.0})), {}, here).size(), 1U);
+    EXPECT_TRUE(table_of(line_1(Table{}), {}, here).empty());
+    EXPECT_EQ(test::refusal_of([&] { table_of(line_1(1.0), {}, here); }),
+              "case.toml:1: key = 1 must be a table { key = value, ... }");
+    EXPECT_EQ(test::refusal_of([&] { list_of(line_1(1.0), {}, here); }),
+              "case.toml:1: key = 1 must be a list of tables [ { ... }, ... ]");
+}
+
 TEST(Codec, RefusesWhatIsOfAnotherType) {
     EXPECT_EQ(refused_as<double>(std::string("3")), R"(case.toml:1: key = "3" must be a number)");
     EXPECT_EQ(refused_as<double>(std::numeric_limits<double>::infinity()), "case.toml:1: key = inf must be finite");
