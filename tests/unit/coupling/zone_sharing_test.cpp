@@ -7,6 +7,7 @@
 
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/index.hpp"
+#include "coupling/ranks/zone_partition.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {
@@ -31,6 +32,22 @@ protected:
         coupling::Digest digest;
         for (const auto& [id, rank] : sharing.owner()) digest.yielding_points.push_back(rank == 0 ? 1 : 0);
         for (int k = 0; k < iterations; ++k) sharing.note(digest);
+    }
+    /// Of each element, in their order.
+    [[nodiscard]] static std::vector<int> ranks_of(const coupling::ZoneSharing& sharing) {
+        std::vector<int> ranks;
+        for (const auto& [id, rank] : sharing.owner()) ranks.push_back(rank);
+        return ranks;
+    }
+    [[nodiscard]] coupling::ZoneSnapshot as_snapshot() const {
+        coupling::ZoneSnapshot snapshot;
+        snapshot.ranks = 2;
+        snapshot.flow = sharing.flow();
+        for (const auto& [id, rank] : sharing.owner()) {
+            snapshot.element.push_back(id);
+            snapshot.rank.push_back(rank);
+        }
+        return snapshot;
     }
     /// Of what flows the part of rank 0.
     [[nodiscard]] double share_of_first() const {
@@ -75,6 +92,40 @@ TEST_F(SharedZone, StaysWhereLittleIsGained) {
     const std::map<int, int> before = sharing.owner();
     EXPECT_FALSE(turns_to(patch));
     EXPECT_EQ(sharing.owner(), before);
+    EXPECT_EQ(sharing.weighed_cost(), coupling::cost_of_sharing(patch.mesh, ranks_of(sharing), sharing.flow()));
+}
+
+// Rank 0 has all the flow, and another sharing would cost much less.
+TEST_F(SharedZone, LooksAtAnotherSharingWhereTheCostIsAnotherOne) {
+    flow_with_first(500);
+    coupling::ZoneSnapshot snapshot = as_snapshot();
+    const double cost = coupling::cost_of_sharing(patch.mesh, snapshot.rank, snapshot.flow);
+    for (const auto& [weighed, looks] : {std::pair{1.07, true}, {1.04, false}, {0.96, false}, {0.94, true}}) {
+        snapshot.weighed_cost = weighed * cost;
+        sharing.resume(patch, snapshot);
+        EXPECT_EQ(turns_to(patch), looks) << weighed;
+    }
+}
+
+// Who has lost all elements gets none by a new sharing.
+TEST_F(SharedZone, IsSharedAnewByWhoeverHasElements) {
+    flow_with_first(500);
+    coupling::ZoneSnapshot snapshot = as_snapshot();
+    snapshot.ranks = 3;
+    sharing = coupling::ZoneSharing(3);
+    sharing.resume(patch, snapshot);
+    EXPECT_TRUE(turns_to(patch));
+    EXPECT_EQ(std::ranges::max(ranks_of(sharing)), 1);
+}
+
+// History moves under the mesh that was, where what a crack cuts belongs to one rank.
+TEST_F(SharedZone, IsSharedAnewSoThatThePresentCracksStayWhole) {
+    const Case cracked = plate_case({{0.0, 4.5}, {11.5, 4.5}});
+    const EnrichedMesh present = plate_mesh(12, 9, cracked);
+    flow_with_first(500);
+    EXPECT_TRUE(sharing.turn_to(patch, present, 2));
+    for (int column = 1; column < 12; ++column)
+        EXPECT_EQ(sharing.owner().at(4 * 12 + column), sharing.owner().at(4 * 12)) << column;
 }
 
 TEST_F(SharedZone, StaysWhileElementsAreSplit) {
@@ -98,6 +149,25 @@ TEST_F(SharedZone, KnowsTheFlowOfElementsAndPartsById) {
     EXPECT_EQ(sharing.flow(), (std::vector{of_both, of_both}));
 }
 
+// The first part of an element has the element's number, the others have new ones; they need not touch it.
+TEST_F(SharedZone, GivesPartsTheRankOfTheirWhole) {
+    const std::vector<int> ranks = ranks_of(sharing);
+    const auto first_of = [&](int rank) { return static_cast<int>(std::ranges::find(ranks, rank) - ranks.begin()); };
+    for (const int rank : {0, 1}) {
+        coupling::ZoneSharing begun(2);
+        EXPECT_FALSE(begun.turn_to(patch, {}, 0));
+        coupling::Patch next;
+        const int whole = first_of(rank), beside = first_of(1 - rank), far = 107;
+        std::vector<int> elements{whole, beside, far};
+        std::ranges::sort(elements);
+        next.mesh = extract(patch.mesh, elements);
+        next.mesh.element_ids = std::vector{elements[0], elements[1], 1000};
+        for (const int e : elements) next.part_of.push_back(e == beside ? -1 : whole);
+        EXPECT_FALSE(begun.turn_to(next, patch.mesh, 2));
+        EXPECT_EQ(begun.owner(), (std::map<int, int>{{whole, rank}, {beside, 1 - rank}, {1000, rank}}));
+    }
+}
+
 TEST_F(SharedZone, GoesOnFromASnapshotOfAsManyRanks) {
     coupling::ZoneSnapshot snapshot;
     snapshot.ranks = 2;
@@ -115,6 +185,17 @@ TEST_F(SharedZone, GoesOnFromASnapshotOfAsManyRanks) {
     three.resume(patch, snapshot);
     EXPECT_EQ(three.weighed_cost(), 0.0) << "nobody has thought of another sharing yet";
     EXPECT_TRUE(std::ranges::any_of(three.owner(), [](const auto& owned) { return owned.second == 2; }));
+}
+
+TEST_F(SharedZone, IsSharedOutByItsFlowForOtherRanks) {
+    flow_with_first(500);
+    const coupling::ZoneSnapshot snapshot = as_snapshot();
+    sharing = coupling::ZoneSharing(3);
+    sharing.resume(patch, snapshot);
+    std::vector<double> flow(3, 0.0);
+    for (const auto& [id, rank] : sharing.owner()) flow[at(rank)] += sharing.flow()[at(id)];
+    const double all = flow[0] + flow[1] + flow[2];
+    for (const double of_rank : flow) EXPECT_NEAR(of_rank, all / 3.0, 0.1 * all);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "coarse/zone/refined_scene.hpp"
+#include "tests/support/layered_plates.hpp"
 #include "tests/support/pulled_plate.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -33,6 +34,21 @@ protected:
 TEST_F(SettledStress, SaysWhichShareOfItsEnergyIsLeft) {
     judge(0.5 * given);
     EXPECT_EQ(said, "initial stress: equilibrium leaves 50 % of its energy");
+}
+
+TEST_F(SettledStress, IsNotSpokenOfWhereThereIsNone) {
+    scene = refined_scene(test::pulled_plate(2.0, false, false));
+    judge(1.0);
+    EXPECT_EQ(said, "");
+}
+
+// The upper half is twice as stiff, and takes half of the energy for the same stress.
+TEST_F(SettledStress, HasTheEnergyOfEachElementsMetal) {
+    Case input = scene.input;
+    input.regions = {test::region_of({{0.0, 10.0}, {20.0, 20.0}}, 400e3, 0.3)};
+    scene = refined_scene(input);
+    judge(0.75 * given);
+    EXPECT_EQ(said, "initial stress: equilibrium leaves 100 % of its energy");
 }
 
 TEST_F(SettledStress, OfAFieldThatIsNotSelfEquilibratedIsRefused) {

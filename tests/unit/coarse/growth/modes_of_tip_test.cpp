@@ -44,10 +44,32 @@ TEST(ModesOfTips, HaveTheMeasuredSlidingOfFacesThatTouchAndNominalOpening) {
     EXPECT_EQ(modes_let_through(two_tips(0.3), nominal, loads, measured)[0], (ModesOfTip{36.0, 22.0}));
 }
 
+// K that is next to nothing beside that of the loads turns no tip.
+TEST(ModesOfTips, AreMeasuredAsPartsOfThoseOfTheLoads) {
+    std::vector<TipResult> measured{{.K_II = 0.0049 * std::hypot(36.0, 22.0), .contact_length = 1.0}, {}};
+    EXPECT_EQ(modes_let_through(two_tips(0.3), nominal, loads, measured)[0].K_II, 22.0);
+    measured[0].K_II = 0.0051 * std::hypot(36.0, 22.0);
+    EXPECT_EQ(modes_let_through(two_tips(0.3), nominal, loads, measured)[0].K_II, measured[0].K_II);
+}
+
 TEST(ModesOfTips, AreHiddenWhereFacesRubAndNoRingTells) {
     const std::vector<TipResult> measured{{.K_II = 6.0, .rings_flow = true, .contact_length = 1.0}, {}};
     EXPECT_TRUE(std::isnan(modes_let_through(two_tips(0.3), nominal, loads, measured)[0].K_II));
     EXPECT_EQ(modes_let_through(two_tips(0.0), nominal, loads, measured)[0].K_II, 22.0) << "nothing holds smooth faces";
+    const std::vector<TipResult> apart{{.K_II = 6.0, .rings_flow = true, .contact_length = 0.0}, {}};
+    EXPECT_EQ(modes_let_through(two_tips(0.3), nominal, loads, apart)[0].K_II, 22.0) << "nothing rubs";
+}
+
+// Both tips are of the second crack, and the first one is smooth.
+TEST(ModesOfTips, AreThoseOfTheirOwnCrack) {
+    Scene scene = two_tips(0.3);
+    scene.input.cracks[0].contact->friction = 0.0;
+    scene.enriched.tips[0].crack = 1;
+    const std::vector<TipResult> measured{{.K_II = 6.0, .rings_flow = true, .contact_length = 1.0}, {}};
+    EXPECT_TRUE(std::isnan(modes_let_through(scene, nominal, loads, measured)[0].K_II));
+    std::vector<ModesOfTip> modes{{1.0, 2.0}, {3.0, 4.0}};
+    lengthen(modes, scene, nominal, loads);
+    EXPECT_EQ(modes[0], (ModesOfTip{36.0, 2.0}));
 }
 
 TEST(ModesOfTips, OfLongerCracksKeepWhatFrictionLetThrough) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace stria::coarse {
 namespace {
@@ -48,8 +49,12 @@ TEST_F(RateBehindTurn, IsNotKnownBeforeACycleHasEnded) {
 }
 
 TEST_F(RateBehindTurn, IsNotKnownWhereAModeIsNot) {
-    modes.cycles[5].K_II = std::nan("");
-    EXPECT_TRUE(std::isnan(rate()));
+    for (const std::size_t extreme : {1U, 3U, 5U, 7U}) {
+        const ModesOfTip known = modes.cycles[extreme];
+        modes.cycles[extreme].K_II = std::nan("");
+        EXPECT_TRUE(std::isnan(rate())) << extreme;
+        modes.cycles[extreme] = known;
+    }
 }
 
 TEST_F(RateBehindTurn, IsNotKnownWhereRoughFacesArePressedAsTheTipIsDriven) {
@@ -62,11 +67,42 @@ TEST_F(RateBehindTurn, IsNotKnownWhereRoughFacesArePressedAsTheTipIsDriven) {
     EXPECT_FALSE(std::isnan(rate())) << "next to nothing beside K_II";
 }
 
+// The other end of a cycle drives a tip that slides back.
+TEST_F(RateBehindTurn, AsksForThePressureAtTheExtremeThatDrives) {
+    crack.contact.emplace();
+    crack.contact->friction = 0.3;
+    modes.cycles[1] = {-4.0, 30.0};
+    modes.cycles[3] = {5.0, 300.0};
+    EXPECT_FALSE(std::isnan(rate()));
+    std::swap(modes.cycles[1].K_I, modes.cycles[3].K_I);
+    EXPECT_TRUE(std::isnan(rate()));
+}
+
+TEST_F(RateBehindTurn, IsOfFacesThatDoNotPassThroughEachOther) {
+    for (const std::size_t extreme : {1U, 3U}) {
+        crack.contact.reset();
+        const double known = modes.cycles[extreme].K_I;
+        modes.cycles[extreme].K_I = 0.0;
+        const double shut = rate();
+        modes.cycles[extreme].K_I = -20.0;
+        EXPECT_NE(rate(), shut) << "nothing holds faces without contact apart";
+        crack.contact.emplace();
+        EXPECT_EQ(rate(), shut);
+        modes.cycles[extreme].K_I = known;
+    }
+}
+
 TEST_F(RateBehindTurn, OfOpeningLoadsIsKnownOfFacesThatCannotTouch) {
     const double of_range = rate();
     growth.driving = GrowthDriving::EffectiveRange;
+    growth.walker = 0.5;  // a part of laws of dK alone
     EXPECT_EQ(rate(), of_range);
     crack.contact.emplace();
+    EXPECT_TRUE(std::isnan(rate()));
+}
+
+TEST_F(RateBehindTurn, OfOpeningsIsNotKnown) {
+    growth.law = GrowthLaw::Ctod;
     EXPECT_TRUE(std::isnan(rate()));
 }
 

@@ -33,6 +33,17 @@ TEST(TipBreak, IsByTheKBehindASharpTurn) {
     EXPECT_EQ(K_of({5.0, 60.0}, GrowthDirection::Straight), 5.0);
 }
 
+// Faces that touch take the pressure, and what slides behind them is a tip in pure mode II.
+TEST(TipBreak, OfATipThatIsPressedIsThatOfItsOwnFaces) {
+    Scene scene = one_tip();
+    scene.input.cracks.resize(2);
+    scene.input.cracks[1].contact.emplace();
+    scene.enriched.tips[0].crack = 1;
+    const std::vector<ModesOfTip> pressed{{-50.0, 60.0}};
+    EXPECT_NEAR(K_of_break(scene, GrowthDirection::HoopStress, pressed).at(0), 60.0 * 2.0 / std::sqrt(3.0), 1e-4);
+    EXPECT_LT(K_of(pressed[0]), 50.0) << "without contact";
+}
+
 TEST(TipBreak, IsByKIWhereNoRingTellsKII) { EXPECT_EQ(K_of({50.0, std::nan("")}), 50.0); }
 
 }  // namespace

@@ -125,6 +125,75 @@ TEST_P(ElasticShares, ServeAsATipGoesStraightOn) {
     EXPECT_GT(answers.made(), before_turn + made / 2);
 }
 
+void expect_shares_of_points(const Bulk& bulk, const Tip& tip, EnergyDensity density, fine::ElasticAnswers& answers) {
+    const EnrichedMesh& mesh = bulk.elements().mesh();
+    const RingSums begun(mesh, tip, bulk.elements().materials().elastic(tip.material), {{0.8, 1.9}},
+                         all_elements(mesh));
+    RingSums rings = begun;
+    add_to(rings, bulk, density, answers);
+    expect_alike(rings.values()[0], by_points(begun, bulk, density)[0]);
+}
+
+// One asks for the work of stresses, and then another one for the elastic energy.
+TEST(ElasticAnswers, AreOfTheDensityThatIsAskedFor) {
+    const Case scene = plate_case({{0.0, 2.4}, {2.3, 2.6}});
+    const EnrichedMesh mesh = plate_mesh(9, 9, scene);
+    Bulk bulk = make_bulk(mesh, scene);
+    const Eigen::VectorXd way = random_vector(mesh.unknowns, 4e-3, 1);
+    for (const double load : {1.0, 0.8, 0.78}) {
+        bulk.evaluate(load * way);
+        bulk.commit(false);
+    }
+    EXPECT_GT(followers(bulk), 30);
+    fine::ElasticAnswers answers;
+    for (const EnergyDensity density : {EnergyDensity::StressWork, EnergyDensity::Elastic})
+        expect_shares_of_points(bulk, mesh.tips.front(), density, answers);
+}
+
+// A body of the second metal of a case, but for an element that no ring reaches.
+TEST(ElasticAnswers, AreOfTheirOwnMetal) {
+    Case scene = plate_case({{0.0, 2.4}, {2.3, 2.6}});
+    RegionSection stiff;
+    stiff.material = scene.material;
+    stiff.material.young *= 3.0;
+    scene.regions = {stiff};
+    EnrichedMesh mesh = plate_mesh(9, 9, scene);
+    std::vector<int> material(81, 1);
+    material[0] = 0;
+    mesh.material = material;
+    mesh.tips.front().material = 1;
+    Bulk bulk = make_bulk(mesh, scene);
+    const Eigen::VectorXd way = random_vector(mesh.unknowns, 1e-4, 1);
+    for (const double load : {1.0, 0.9}) {
+        bulk.evaluate(load * way);
+        bulk.commit(false);
+    }
+    EXPECT_GT(followers(bulk), 50);
+    fine::ElasticAnswers answers;
+    expect_shares_of_points(bulk, mesh.tips.front(), EnergyDensity::StressWork, answers);
+}
+
+// A tip has moved on, and left a gradient that the functions of its neighbours no longer tell.
+TEST(ElasticAnswers, HaveWhatFunctionsHaveLeftBehind) {
+    const Case shorter = plate_case({{0.0, 2.5}, {2.4, 2.5}}), longer = plate_case({{0.0, 2.5}, {5.4, 2.5}});
+    const EnrichedMesh before = plate_mesh(9, 9, shorter), mesh = plate_mesh(9, 9, longer);
+    const Eigen::VectorXd u = random_vector(before.unknowns, 1e-4, 1);
+    Bulk old = make_bulk(before, shorter);
+    old.evaluate(u);
+    old.commit(false);
+    const Eigen::VectorXd carried = carry_over(before, u, mesh, Eigen::VectorXd::Zero(mesh.unknowns));
+    Bulk bulk = make_bulk(mesh, longer, carried, &old);
+    ASSERT_TRUE(bulk.history().has_frozen_gradients());
+    bulk.evaluate(0.98 * carried);
+    bulk.commit(false);
+    for (const Vec2& about : {Vec2(2.4, 2.5), Vec2(5.4, 2.5)}) {
+        Tip tip = mesh.tips.front();
+        tip.position = about;
+        fine::ElasticAnswers answers;
+        expect_shares_of_points(bulk, tip, EnergyDensity::StressWork, answers);
+    }
+}
+
 std::string name_of(const testing::TestParamInfo<ElasticShares::ParamType>& test) {
     const auto& [plane, density] = test.param;
     return std::string(plane == PlaneState::Strain ? "strain" : "stress") +
