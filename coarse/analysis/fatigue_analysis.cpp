@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "coarse/advice/limit_load_hint.hpp"
+#include "coarse/advice/settled_stress.hpp"
 #include "coarse/analysis/run_texts.hpp"
-#include "coarse/analysis/settled_stress.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
 

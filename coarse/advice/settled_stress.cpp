@@ -1,4 +1,4 @@
-#include "coarse/analysis/settled_stress.hpp"
+#include "coarse/advice/settled_stress.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ double energy_as_given(const Scene& scene) {
 
 }  // namespace
 
-void judge_settled_stress(const Scene& scene, double stored, const Note& note) {
+void judge_settled_stress(const Scene& scene, double stored, const std::function<void(const std::string&)>& note) {
     constexpr double least = 0.25;
     const double given = energy_as_given(scene);
     if (given == 0.0) return;

@@ -1,5 +1,5 @@
 // How much of the energy of an initial stress equilibrium leaves.
-#include "coarse/analysis/settled_stress.hpp"
+#include "coarse/advice/settled_stress.hpp"
 
 #include <gtest/gtest.h>
 
