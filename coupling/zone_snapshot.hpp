@@ -18,6 +18,7 @@ struct MultiplierSnapshot {
     std::int8_t status = 0;              // as in the digest
     double widened = 0.0, slid = 0.0;    // of faces apart: gap and slip in the last increment, mm
     double until_met = 0.0;              // what they are to slide yet, mm
+    double settled_slip = 0.0;           // from where slips count, mm: the committed one, but for a growth's
     std::int32_t changes = 0;            // of its status: bit j: in the half cycle j before this one
     std::int8_t resting = 0;             // with these tractions, MPa:
     double rest_pressure = 0.0, rest_shear = 0.0;

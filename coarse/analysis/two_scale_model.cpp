@@ -205,7 +205,7 @@ void TwoScaleModel::prepare_growth() {
 
 // What becomes fine because of its functions is so before they change. What else eq. (3) is expected to want joins with
 // the longer cracks. The nominal solution, which tells what it does want, is found while the zone turns to them: it
-// takes the elements beyond that afterwards. Without a zone nobody sees what the growth releases.
+// takes the elements beyond that afterwards.
 bool TwoScaleModel::lengthen_cracks(GrownScene grown, int cycle) {
     const Stopwatch watch(effort_.growth_s);
     const EnrichedMesh& after = grown.longer->enriched;

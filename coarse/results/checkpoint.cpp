@@ -11,7 +11,7 @@
 namespace stria::coarse {
 namespace {
 
-constexpr int format = 60;  // grows with any change of the members below
+constexpr int format = 61;  // grows with any change of the members below
 
 }  // namespace
 

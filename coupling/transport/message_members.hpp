@@ -50,8 +50,8 @@ STRIA_MEMBERS(EnergyReport, stored, released, friction, contact, load_path, case
 STRIA_MEMBERS(StepReport, tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns,
               multipliers, work, constitutive_s, contact_s, factor_s)
 STRIA_MEMBERS(FrozenTip, mesh, displacement, crack)
-STRIA_MEMBERS(MultiplierSnapshot, crack, place, pressure, shear, status, widened, slid, until_met, changes, resting,
-              rest_pressure, rest_shear, increments, shear_increments)
+STRIA_MEMBERS(MultiplierSnapshot, crack, place, pressure, shear, status, widened, slid, until_met, settled_slip,
+              changes, resting, rest_pressure, rest_shear, increments, shear_increments)
 STRIA_MEMBERS(ZoneSnapshot, ranks, element, rank, points, recent_flow, unknowns, resting, flow, stand, weighed_cost,
               columns, history, half_cycle_ended, displacement, rest_displacement, increments, held, multipliers,
               frozen_tips)

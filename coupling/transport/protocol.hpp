@@ -11,7 +11,7 @@
 namespace stria::coupling {
 
 /// Grows with any change of messages.hpp or of the layouts in wire.cpp; Hello's own layout never changes.
-inline constexpr std::uint32_t protocol_version = 42;
+inline constexpr std::uint32_t protocol_version = 43;
 
 /// An exception on its way across: thrown again on the other side with the same type and text.
 struct Failure {

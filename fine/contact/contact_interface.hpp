@@ -62,6 +62,7 @@ public:
 
     /// But for slips, which count from these, mm: functions have gone that had made a part of them.
     void hold_slips(Eigen::VectorXd slips) { settled_slip_ = std::move(slips); }
+    [[nodiscard]] const Eigen::VectorXd& settled_slips() const { return settled_slip_; }
 
     [[nodiscard]] const std::vector<FaceStatus>& statuses() const { return status_; }
     [[nodiscard]] const std::vector<FaceStatus>& committed_statuses() const { return committed_status_; }

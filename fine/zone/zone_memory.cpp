@@ -135,6 +135,22 @@ void carry_increments(ZoneMemory& memory, const EnrichedMesh& before, const Cont
     move_increments(memory, old_contact, contact, moved);
 }
 
+Eigen::VectorXd slips_to_hold(const ContactInterface& before, const Eigen::VectorXd& committed,
+                              const ContactInterface& next, const Eigen::VectorXd& now) {
+    const Eigen::VectorXd held = before.settled_slips() - before.operators().slips(committed);
+    const std::vector<int> old_place = next.operators().places_in(before.operators());
+    Eigen::VectorXd slips = next.operators().slips(now);
+    for (int k = 0; k < next.multipliers(); ++k)
+        if (old_place[at(k)] >= 0) slips[k] += held[old_place[at(k)]];
+    return slips;
+}
+
+Eigen::VectorXd settled_slips_in(const coupling::ZoneSnapshot& snapshot) {
+    Eigen::VectorXd slips(std::ssize(snapshot.multipliers));
+    for (Eigen::Index k = 0; k < slips.size(); ++k) slips[k] = snapshot.multipliers[at(k)].settled_slip;
+    return slips;
+}
+
 void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out) {
     const auto& increments = memory.increments.all();
     out.displacement = memory.committed.displacement;
@@ -150,6 +166,7 @@ void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::
         multiplier.widened = contact.approach().widened[k];
         multiplier.slid = contact.approach().slid[k];
         multiplier.until_met = contact.approach().until_met[k];
+        multiplier.settled_slip = contact.settled_slips()[k];
         multiplier.changes = contact.resting().changes(k);
         multiplier.resting = contact.resting().contains(k) ? 1 : 0;
         multiplier.rest_pressure = contact.resting().traction()[k];

@@ -39,6 +39,13 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
 void carry_increments(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface& old_contact,
                       const coupling::Patch& next, const ContactInterface& contact);
 
+/// From where slips count on the faces of `next`, at the displacement `now`, mm; and beyond it what those of `before`
+/// had been held at, beside where they were committed. So a growth lets go of functions and not of what faces have
+/// slid, until equilibrium is found.
+[[nodiscard]] Eigen::VectorXd slips_to_hold(const ContactInterface& before, const Eigen::VectorXd& committed,
+                                            const ContactInterface& next, const Eigen::VectorXd& now);
+[[nodiscard]] Eigen::VectorXd settled_slips_in(const coupling::ZoneSnapshot& snapshot);
+
 /// Writes all of it, and of each multiplier its place, its committed status and its rest.
 void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out);
 

@@ -10,6 +10,7 @@
 #include "common/index.hpp"
 #include "common/stopwatch.hpp"
 #include "fine/bulk/bulk_report.hpp"
+#include "fine/bulk/joining_elements.hpp"
 #include "fine/zone/zone_report.hpp"
 
 namespace stria::fine {
@@ -31,7 +32,9 @@ TakenOver ZoneSystem::move_tips(const coupling::Patch& patch) {
     carry_increments(memory_, patch_.mesh, *contact_, patch, *contact_);
     bulk_->move_tips(patch.mesh.tips);
     const EnrichedMesh before = std::move(patch_.mesh);
+    const Eigen::VectorXd slips = contact_->settled_slips();
     begin_with(patch);
+    contact_->hold_slips(slips);
     memory_.opening.follow(before, patch_.mesh);
     return taken_over(bulk_->elements(), true, *contact_, contact_.get());
 }
@@ -43,6 +46,7 @@ TakenOver ZoneSystem::begin_zone(const coupling::Patch& patch) {
     const FrozenTips past = old && patch.part_of.empty() ? left_behind(memory_, patch_.mesh, patch) : memory_.frozen;
     if (!forgets()) memory_.frozen = past;
     contact_ = make_contact(patch, memory_.frozen);
+    const Eigen::VectorXd committed = memory_.committed.displacement;
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
     if (old_contact) carry_increments(memory_, patch_.mesh, *old_contact, patch, *contact_);
     if (memory_.committed.displacement.isZero(0.0)) contact_->begin_touching();
@@ -51,8 +55,9 @@ TakenOver ZoneSystem::begin_zone(const coupling::Patch& patch) {
     const EnrichedMesh before = std::move(patch_.mesh);
     rings_.clear();
     begin_with(patch);
-    if (!past.tips().empty() && forgets() && has_friction(input_.cracks))
-        contact_->hold_slips(make_contact(patch, past)->operators().slips(memory_.committed.displacement));
+    if (old && forgets() && has_friction(input_.cracks))
+        contact_->hold_slips(
+            slips_to_hold(*old_contact, committed, *make_contact(patch, past), memory_.committed.displacement));
     if (old) open_new_faces(before, force);
     return taken_over(bulk_->elements(), false, *contact_, old_contact.get());
 }
@@ -91,7 +96,8 @@ void ZoneSystem::open_new_faces(const EnrichedMesh& before, const Eigen::VectorX
     }
     const Eigen::VectorXd now = committed_force(*bulk_, *contact_);
     if (forgets())
-        memory_.opening.hold_changes(before, force, patch_.mesh, now, bulk_->elements().changed_unknowns());
+        memory_.opening.hold_changes(before, force, patch_.mesh, now - force_of_joining(*bulk_, before),
+                                     bulk_->elements().changed_unknowns());
     else
         memory_.opening.open(before, patch_.mesh, -now);
 }
@@ -286,6 +292,7 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     bulk_->count_on_from(so_far);
     rings_.clear();
     begin_with(patch);
+    contact_->hold_slips(settled_slips_in(snapshot));
 }
 
 }  // namespace stria::fine

@@ -14,6 +14,7 @@
 #include "coarse/results/checkpoint.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coupling/transport/wire.hpp"
+#include "tests/support/specimens.hpp"
 #include "tests/support/stopped_runs.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -27,8 +28,12 @@ struct Part {
     std::optional<coarse::AnalysisState> left;
 };
 
-Part run_part(const Case& input, coarse::EquilibriumFactory& factory, const coarse::AnalysisState* from = nullptr,
-              int stop = std::numeric_limits<int>::max()) {
+/// After an increment: when its load has been reached, or before the next equilibrium is looked for, be it that of
+/// cracks which have grown.
+enum class Stop : std::uint8_t { Reached, InGrowth };
+
+Part run_part(const Case& input, coarse::EquilibriumFactory& factory, const coarse::AnalysisState* from, int stop,
+              Stop where) {
     use_one_thread();
     const coarse::Scene scene = coarse::refined_scene(input);
     Part part;
@@ -36,7 +41,9 @@ Part run_part(const Case& input, coarse::EquilibriumFactory& factory, const coar
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
         part.increments.push_back({increment, increment.equilibrium->structure_displacement()});
     };
-    listener.reached = [&](const coarse::LoadStep&) { return part.increments.back().number < stop; };
+    const auto is_before = [&] { return part.increments.empty() || part.increments.back().number < stop; };
+    if (where == Stop::Reached) listener.reached = [&](const coarse::LoadStep&) { return is_before(); };
+    if (where == Stop::InGrowth) listener.goes_on = is_before;
     coarse::FatigueAnalysis analysis(scene, factory, listener, from);
     part.K_at_start = analysis.largest_K();
     analysis.run();
@@ -47,14 +54,14 @@ Part run_part(const Case& input, coarse::EquilibriumFactory& factory, const coar
 
 /// By one fine rank or several in this process, or in one matrix (0).
 Part run_by(int ranks, const Case& input, const coarse::AnalysisState* from = nullptr,
-            int stop = std::numeric_limits<int>::max()) {
+            int stop = std::numeric_limits<int>::max(), Stop where = Stop::Reached) {
     if (ranks == 0) {
         MonolithicFactory factory(input);
-        return run_part(input, factory, from, stop);
+        return run_part(input, factory, from, stop, where);
     }
     FineSide fine(input, ranks);
     coarse::CondensedFactory factory(&fine.scale(), input);
-    return run_part(input, factory, from, stop);
+    return run_part(input, factory, from, stop, where);
 }
 
 coarse::AnalysisState through_a_file(const Case& input, const coarse::AnalysisState& state) {
@@ -196,6 +203,37 @@ TEST(ResumedCrack, HasTheLargestKOfItsLength) {
     const Part rest = run_by(1, input, &state, stopped::followed.stop + 1);
     EXPECT_GT(first.K_at_end.at(0), 1.01 * first.K_at_start.at(0));
     EXPECT_EQ(rest.K_at_start, first.K_at_end);
+}
+
+/// A pressed crack whose faces slide, in a body of which nothing may yield; it grows while they do.
+Case sliding_in_elastic_metal() {
+    Case input = specimen("plate", 40.0, {{13.03, 13.37}, {23.03, 23.37}});
+    input.mesh.width = 40.0;
+    input.cracks[0].contact = ContactSection{.friction = 0.3};
+    input.boundaries = {at_end("top", End::Pulled, -1.0), at_end("bottom", End::Pulled, 1.0)};
+    input.load = {.steps = 4, .blocks = {{.cycles = 2, .max = 100.0, .min = 0.0}}};
+    input.solver.tolerance = 1e-11;
+    input.growth = GrowthSection{.increment = 0.5, .direction = GrowthDirection::Straight};
+    return input;
+}
+
+// Between the two acts of a growth functions have been let go, and faces slide on from where these had them.
+TEST(ResumedGrowth, OfAnElasticBodyKnowsHowFarItsFacesHaveSlid) {
+    const Case input = sliding_in_elastic_metal();
+    for (const int ranks : {1, 2, 0}) {
+        const Part one = run_by(ranks, input);
+        const auto release =
+            std::ranges::find_if(one.increments, [](const Followed& now) { return now.step.releases; });
+        ASSERT_NE(release, one.increments.end());
+        const coarse::AnalysisState state =
+            through_a_file(input, run_by(ranks, input, nullptr, release->number - 1, Stop::InGrowth).left.value());
+        ASSERT_EQ(state.release.held, 1.0);
+        const Part rest = run_by(ranks, input, &state);
+        ASSERT_EQ(rest.increments.at(0).number, release->number);
+        EXPECT_EQ(rest.increments[0].displacement, release->displacement) << ranks;
+        EXPECT_EQ(bits_of(rest.increments[0].zone), bits_of(release->zone)) << ranks;
+        EXPECT_EQ(rest.increments.back().displacement, one.increments.back().displacement) << ranks;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,

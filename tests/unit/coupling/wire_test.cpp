@@ -164,6 +164,7 @@ TEST(Wire, Restore) {
                              .widened = -1.5,
                              .slid = 0.5,
                              .until_met = 0.75,
+                             .settled_slip = -0.375,
                              .increments = {0.1, 0.2},
                              .shear_increments = {0.3}}};
     snapshot.frozen_tips = {{.mesh = small_mesh(), .displacement = Eigen::VectorXd::Ones(12), .crack = 1}};
@@ -179,6 +180,7 @@ TEST(Wire, Restore) {
     EXPECT_EQ(copy.snapshot.multipliers[0].widened, -1.5);
     EXPECT_EQ(copy.snapshot.multipliers[0].slid, 0.5);
     EXPECT_EQ(copy.snapshot.multipliers[0].until_met, 0.75);
+    EXPECT_EQ(copy.snapshot.multipliers[0].settled_slip, -0.375);
     EXPECT_EQ(copy.snapshot.multipliers[0].shear_increments, snapshot.multipliers[0].shear_increments);
     EXPECT_EQ(copy.snapshot.multipliers[0].increments, snapshot.multipliers[0].increments);
     EXPECT_EQ(copy.snapshot.frozen_tips.at(0).mesh.nodes, small_mesh().nodes);

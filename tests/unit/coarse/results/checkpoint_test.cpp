@@ -67,6 +67,7 @@ Checkpoint some_checkpoint() {
                                .widened = -1.5,
                                .slid = 0.5,
                                .until_met = 0.75,
+                               .settled_slip = -0.375,
                                .increments = {0.5},
                                .shear_increments = {0.25}}};
     state.zone.frozen_tips = {{.mesh = {}, .displacement = Vec2(1.0, 2.0), .crack = 1}};
