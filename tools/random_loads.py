@@ -1,4 +1,5 @@
-"""What random scenes have besides: a controlled displacement, a dead load, an initial stress, chosen increments."""
+"""What random scenes have besides: a controlled displacement, a dead load, an initial stress, chosen increments, and
+opening loads that are looked for in more ways."""
 
 import csv
 import random
@@ -55,6 +56,15 @@ def with_more(text, seed):
     if rng.random() < 0.35 and 'definition = "offset"' not in text:
         text = re.sub(r"\nsteps = \d+", '\nsteps = "auto"', text)
     return text
+
+
+def with_closure(text, seed):
+    """The scene `text` of `seed`; a quarter of them look for tension ahead of their tips, and some at further distances."""
+    rng = random.Random(f"closure of {seed}")
+    if rng.random() < 0.75:
+        return text
+    profile = "profile = [%.4g, %.4g]\n" % (rng.uniform(0.3, 0.8), rng.uniform(0.8, 1.5)) if rng.random() < 0.5 else ""
+    return text + "[closure]\n%s\n" % rng.choice(["tension = true", 'definition = "tension"']) + profile
 
 
 def first_way(folder):

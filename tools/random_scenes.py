@@ -3,15 +3,15 @@
 
     tools/random_scenes.py SEED COUNT [--programs build/release/bin] [--keep DIR] [--jobs 2]
 
-A scene is a coarse specimen with a random crack, material, friction, load, growth and refinement. Half of them have
-besides a controlled displacement, a dead load, an initial stress or increments that the program chooses
-(random_loads.py). It runs in one process, in one matrix and over MPI. Numbers of `history.csv` agree where they differ
-by less than 1e-8 of the largest of their column (TOLD_FROM has those of closed cracks), or the three runs end alike
-with exit code 3 and a sentence. All three warn alike, and of nothing but what the scene explains. What the first one
-leaves is lawful, too: pressures push and shear stays in the cone of friction; faces of cracks that do not grow overlap
-by no more than the pressure strains an element; nothing gives dissipation back; a controlled displacement goes straight
-from where dead loads and an initial stress have moved the boundary to its first extreme; and work balances. Exit code 1
-where a scene does neither.
+A scene is a coarse specimen with a random crack, material, friction, load, growth and refinement. Half of them have besides
+a controlled displacement, a dead load, an initial stress or increments that the program chooses, and a quarter look for
+tension ahead of their tips (random_loads.py). It runs in one process, in one matrix and over MPI. Numbers of `history.csv`
+agree where they differ by less than 1e-8 of the largest of their column (TOLD_FROM has those of closed cracks), or the three
+runs end alike with exit code 3 and a sentence. All three warn alike, and of nothing but what the scene explains. What the
+first one leaves is lawful, too: pressures push and shear stays in the cone of friction; faces of cracks that do not grow
+overlap by no more than the pressure strains an element; nothing gives dissipation back; a controlled displacement goes
+straight from where dead loads and an initial stress have moved the boundary to its first extreme; and work balances. Exit
+code 1 where a scene does neither.
 
 How far work may be off follows from how it is counted (docs/equations.md). Where all is linear nothing but rounding is
 left. Between two steps of growth the work of the loads is a trapezoid per increment, of second order, and of first
@@ -19,7 +19,8 @@ order at least where points begin to flow or faces to touch within it. So where 
 the work, four times as many increments must leave less than a third of them (first order leaves a quarter). At a step
 of growth a parabola stands for the way on which the new faces open. Its beginning and its end are known, and all convex
 ways between these release between half of the first step's and half of the last opening's work. So its error is at most
-what it says is released.
+what it says is released. Friction
+takes the shear at the end of the step for that of all of its sliding, and may be off by what it says is rubbed off.
 """
 
 import csv
@@ -216,12 +217,12 @@ def increments_of(folder):
 
 def out_of_balance(rows):
     """Errors of the work, of its largest size: those between steps of growth, added up, and by which the error at a step
-    of growth, or at a part of one, exceeds what this releases. Where nobody knows what is released there is neither."""
+    of growth, or at a part of one, exceeds what this releases and rubs off. Where nobody knows what is released there is neither."""
     size = max(abs(float(row["external_work"])) for row in rows)
     steady, beyond = 0.0, 0.0
     for before, now in zip([None] + rows, rows):
         of = lambda name: float(now[name] or "nan") - (float(before[name] or "nan") if before else 0.0)
-        error, released = abs(of("balance_error")) / size, of("released_energy") / size
+        error, released = abs(of("balance_error")) / size, (of("released_energy") + of("frictional_dissipation")) / size
         if before is None or all(now[name] == before[name] for name in ("a", "released_energy")):
             steady += error if error == error else 0.0
         elif error == error:
@@ -303,7 +304,7 @@ def judge(arguments, seed):
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         case = folder / "case.toml"
-        text = random_loads.with_more(scene(rng), seed)
+        text = random_loads.with_closure(random_loads.with_more(scene(rng), seed), seed)
         case.write_text(text)
         ends = {mode: run(arguments.programs, case, folder / mode, mode) for mode in MODES}
         codes = {code for code, _, _ in ends.values()}

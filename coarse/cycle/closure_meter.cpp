@@ -39,8 +39,7 @@ std::vector<double> further_distances(const ClosureSection& closure) {
 
 ClosureMeter::ClosureMeter(const ClosureSection& closure, const std::vector<double>& yield_stress,
                            const std::vector<CrackSection>& cracks, const std::vector<double>& K)
-    : tension_(closure.tension || closure.definition == OpeningDefinition::Tension),
-      slip_(!closure.profile.empty() && has_friction(cracks)) {
+    : tension_(measures_tension(closure)), slip_(!closure.profile.empty() && has_friction(cracks)) {
     const std::vector<double> further = further_distances(closure);
     for (const double distance : closure_distances(closure, K, yield_stress)) {
         std::vector<double> distances{distance};

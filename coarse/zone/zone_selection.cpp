@@ -45,8 +45,7 @@ void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
 
 /// The force ahead of a tip is that of the zone's points: out to the distance, and no less than an element.
 void add_sectors_ahead(const Scene& scene, std::vector<double> radii, ElementSet& zone) {
-    const ClosureSection& closure = scene.input.closure;
-    if (!closure.tension && closure.definition != OpeningDefinition::Tension) return;
+    if (!measures_tension(scene.input.closure)) return;
     const EnrichedMesh& mesh = scene.enriched;
     for (std::size_t t = 0; t < radii.size(); ++t) radii[t] = std::max(radii[t], tip_element_size(mesh, mesh.tips[t]));
     for (int e = 0; e < zone.size(); ++e) {

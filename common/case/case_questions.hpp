@@ -48,9 +48,16 @@ inline bool grows_by_openings(const GrowthSection& growth) {
     return grows_by_opening_loads(growth) || growth.law == GrowthLaw::Ctod;
 }
 
-/// The fine component starts if, and only if, there is a yield stress, contact or refinement.
+/// The load at which the metal ahead of a tip comes under tension is looked for.
+inline bool measures_tension(const ClosureSection& closure) {
+    return closure.tension || closure.definition == OpeningDefinition::Tension;
+}
+
+/// The fine component starts if, and only if, there is a yield stress, contact or refinement, or a force ahead of a tip
+/// to measure: its points tell it.
 inline bool needs_fine(const Case& scene) {
-    return may_yield(scene) || some_touch(scene.cracks) || scene.fine.refine > 1 || scene.fine.radius;
+    const bool looks_ahead = measures_tension(scene.closure) && !scene.cracks.empty();
+    return may_yield(scene) || some_touch(scene.cracks) || scene.fine.refine > 1 || scene.fine.radius || looks_ahead;
 }
 
 /// Sub-quadrangles per element edge in a zone: where a crack is or goes straight on, and away from both. A refined zone

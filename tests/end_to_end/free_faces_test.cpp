@@ -74,6 +74,24 @@ TEST_P(FreeFaces, AreStillSaidToOverlapOnceTheRunWasResumed) {
     EXPECT_EQ(warnings(), before);
 }
 
+TEST_P(FreeFaces, TellWhereTensionComesBackAheadOfThemInMetalThatNeverFlows) {
+    std::ofstream(folder / "case.toml") << R"(
+units = "N-mm-MPa"
+mesh = { specimen = "sent", width = 20.0, height = 40.0, size = 2.0 }
+material = { young = 200e3, poisson = 0.3 }
+crack = [ { points = [[0.0, 20.0], [8.0, 20.0]] } ]
+boundary = [ { on = "top", traction = [0.0, 1.0] }, { on = "bottom", traction = [0.0, -1.0] } ]
+load = { steps = 10, blocks = [ { cycles = 1, max = 40.0, ratio = -0.3 } ] }
+closure = { definition = "tension", distance = 0.5 }
+)";
+    run({});
+    const NumberTable cycles = read_table(out + "/cycles.csv");
+    EXPECT_NEAR(cycles["K_op_tension"][0], 0.0, 0.002 * cycles["K_max"][0])
+        << "all stress is in proportion to the load";
+    EXPECT_LT(cycles["K_min"][0], -0.2 * cycles["K_max"][0]);
+    EXPECT_EQ(cycles["K_op"][0], cycles["K_op_tension"][0]);
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, FreeFaces, testing::Values("inprocess", "mpi", "monolithic"),
                          [](const auto& mode) { return mode.param; });
 

@@ -35,7 +35,7 @@ TEST(CaseQuestions, LawsThatOpeningsDrive) {
     }
 }
 
-TEST(CaseQuestions, AZoneIsOfMetalThatYieldsFacesThatTouchOrSmallElements) {
+TEST(CaseQuestions, AZoneIsOfMetalThatYieldsFacesThatTouchSmallElementsOrAForceAheadOfATip) {
     Case plain;
     plain.cracks = {{.points = {}, .contact = {}}};
     EXPECT_FALSE(needs_fine(plain));
@@ -51,6 +51,14 @@ TEST(CaseQuestions, AZoneIsOfMetalThatYieldsFacesThatTouchOrSmallElements) {
     EXPECT_TRUE(needs_fine(input));
     input = plain;
     input.fine.radius = 1.0;
+    EXPECT_TRUE(needs_fine(input));
+    input = plain;
+    input.closure.tension = true;
+    EXPECT_TRUE(needs_fine(input));
+    input.cracks.clear();
+    EXPECT_FALSE(needs_fine(input)) << "no tip";
+    input = plain;
+    input.closure.definition = OpeningDefinition::Tension;
     EXPECT_TRUE(needs_fine(input));
 }
 
