@@ -64,9 +64,9 @@ class Cycle:
         while growth[within[-1]]:
             within.pop()
         begin = within[0]
-        while growth[begin - 1]:
+        while begin > 0 and growth[begin - 1]:
             begin -= 1
-        self.before = rows[begin - 1]
+        self.before = rows[max(begin - 1, 0)]  # a first maximum of zero has no increment
         self.grown = rows[begin : within[0]]
         self.start = self.grown[-1] if self.grown else self.before
         own = [rows[k] for k in within]

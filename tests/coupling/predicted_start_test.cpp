@@ -69,5 +69,37 @@ TEST(PredictedStart, IsStayedWithInAllModesAlike) {
     expect_same_starts(condensed, run_analysis(input, shared));
 }
 
+/// Elements of 0.77 mm and a zone of 1.9: about a tip that has grown it has nodes where it had none before, so that it
+/// forgets its increments, while the whole mesh comes to lie on itself there and the structure keeps its own.
+Case plate_with_a_zone_of_few_elements() {
+    Case input = specimen("mt", 30.0, {{2.56531, 15.1}, {7.43469, 15.1}});
+    input.mesh.width = 10.0;
+    input.mesh.size = 0.7692;
+    input.model.plane = PlaneState::Stress;
+    input.material.young = 200e3;
+    input.material.poisson = 0.0;
+    input.material.yield_stress = 173.53;
+    input.material.kinematic = {{.C = 38626.0, .gamma = 0.0}};
+    for (const auto& [edge, pull] : {std::tuple{"top", 1.0}, std::tuple{"bottom", -1.0}}) {
+        input.boundaries.emplace_back().on = edge;
+        input.boundaries.back().traction = Vec2(0.0, pull);
+    }
+    input.load.steps = 4;
+    input.load.blocks = {{.cycles = 2, .max = 78.2, .min = 0.0}};
+    input.fine.enrichment = Enrichment::None;
+    input.fine.radius = 1.904;
+    input.growth = GrowthSection{.increment = 0.331, .direction = GrowthDirection::Straight};
+    input.solver.tolerance = 1e-12;
+    return input;
+}
+
+TEST(PredictedStart, OfAZoneThatForgetsItsIncrementsIsTheSameInOneMatrix) {
+    const Case input = plate_with_a_zone_of_few_elements();
+    const RunHistory condensed = run_direct(input);
+    MonolithicFactory factory(input);
+    expect_same_starts(condensed, run_analysis(input, factory));
+    EXPECT_EQ(condensed.increments.size(), 12U);
+}
+
 }  // namespace
 }  // namespace stria::test

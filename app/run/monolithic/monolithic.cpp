@@ -151,7 +151,9 @@ public:
         return state;
     }
 
-    // Where a condensed run has left Gamma alone, structure and zone say what lies on either side of it.
+    // Where a condensed run has left Gamma alone, structure and zone say what lies on either side of it. A zone may
+    // have lost what the structure has kept: about a tip that has grown its part of the mesh need not come to lie on
+    // itself where the whole mesh does (TipMoves). Inside it nothing is foretold then, as in a condensed run.
     void restore(const coarse::EquilibriumState& state) override {
         const auto& of_zone = zone_.increments();
         increments_.clear();
@@ -161,7 +163,7 @@ public:
                 whole = state.whole_increments[back];
             } else {
                 whole = structure_.expand(state.increments[back], state.load_increments[back]);
-                whole(whole_) = of_zone.at(back).displacement;
+                if (back < of_zone.size()) whole(whole_) = of_zone[back].displacement;
             }
             increments_.push({std::move(whole), state.load_increments[back]});
         }
