@@ -19,8 +19,8 @@ order at least where points begin to flow or faces to touch within it. So where 
 the work, four times as many increments must leave less than a third of them (first order leaves a quarter). At a step
 of growth a parabola stands for the way on which the new faces open. Its beginning and its end are known, and all convex
 ways between these release between half of the first step's and half of the last opening's work. So its error is at most
-what it says is released. Friction
-takes the shear at the end of the step for that of all of its sliding, and may be off by what it says is rubbed off.
+what it says is released. Friction takes the shear at the end of the step for that of all of its sliding, and may be off by
+what it says is rubbed off.
 """
 
 import csv
