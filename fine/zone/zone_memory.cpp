@@ -15,9 +15,8 @@
 
 namespace stria::fine {
 
-FrozenTips left_behind(const ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next) {
-    const Eigen::VectorXd& u = memory.committed.displacement;
-    FrozenTips frozen = memory.frozen;
+void freeze_what_is_left(FrozenTips& frozen, const Eigen::VectorXd& u, const EnrichedMesh& before,
+                         const coupling::Patch& next) {
     for (int t = 0; t < std::ssize(before.tips); ++t) {
         const Tip& tip = before.tips[at(t)];
         const auto same = [&](const Tip& other) { return same_place(tip, other); };
@@ -25,7 +24,6 @@ FrozenTips left_behind(const ZoneMemory& memory, const EnrichedMesh& before, con
         if (!stays && std::ranges::none_of(next.mesh.left_tips, same)) frozen.freeze(before, t, u);
     }
     frozen.keep_closed(before, next.mesh, carry_over(before, u, next.mesh, next.displacement));
-    return frozen;
 }
 
 namespace {

@@ -25,9 +25,10 @@ struct ZoneMemory {
     OpeningFaces opening = {};
 };
 
-/// `next`, with longer cracks on the same elements, is to follow `before`: what is frozen, and with it the displacement
-/// of functions that `next` lacks (docs/method.md, section 7).
-[[nodiscard]] FrozenTips left_behind(const ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next);
+/// `next`, with longer cracks on the same elements, is to follow `before`, whose displacement is `u`: adds that of the
+/// functions which `next` lacks to what is frozen (docs/method.md, section 7).
+void freeze_what_is_left(FrozenTips& frozen, const Eigen::VectorXd& u, const EnrichedMesh& before,
+                         const coupling::Patch& next);
 
 /// Turns the committed state to the unknowns of a new mesh and of its faces. `old_contact`: null at the start, when
 /// nothing is carried.

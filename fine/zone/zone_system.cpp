@@ -43,10 +43,12 @@ TakenOver ZoneSystem::begin_zone(const coupling::Patch& patch) {
     const std::unique_ptr<Bulk> old = std::move(bulk_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
     const Eigen::VectorXd force = old && forgets() ? committed_force(*old, *old_contact) : Eigen::VectorXd();
-    const FrozenTips past = old && patch.part_of.empty() ? left_behind(memory_, patch_.mesh, patch) : memory_.frozen;
-    if (!forgets()) memory_.frozen = past;
-    contact_ = make_contact(patch, memory_.frozen);
     const Eigen::VectorXd committed = memory_.committed.displacement;
+    const bool keeps_slips = old && forgets() && has_friction(input_.cracks);
+    FrozenTips let_go;
+    if (old && patch.part_of.empty() && (keeps_slips || !forgets()))
+        freeze_what_is_left(forgets() ? let_go : memory_.frozen, committed, patch_.mesh, patch);
+    contact_ = make_contact(patch, memory_.frozen);
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
     if (old_contact) carry_increments(memory_, patch_.mesh, *old_contact, patch, *contact_);
     if (memory_.committed.displacement.isZero(0.0)) contact_->begin_touching();
@@ -55,9 +57,9 @@ TakenOver ZoneSystem::begin_zone(const coupling::Patch& patch) {
     const EnrichedMesh before = std::move(patch_.mesh);
     rings_.clear();
     begin_with(patch);
-    if (old && forgets() && has_friction(input_.cracks))
+    if (keeps_slips)
         contact_->hold_slips(
-            slips_to_hold(*old_contact, committed, *make_contact(patch, past), memory_.committed.displacement));
+            slips_to_hold(*old_contact, committed, *make_contact(patch, let_go), memory_.committed.displacement));
     if (old) open_new_faces(before, force);
     return taken_over(bulk_->elements(), false, *contact_, old_contact.get());
 }
