@@ -1,6 +1,7 @@
 #include "coarse/mesh_file/faces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,11 +25,7 @@ public:
         for (std::size_t k = 0; k < part_.faces.size(); ++k) add_face(k);
         name_regions();
         drop_unused_nodes();
-        for (int f = 0; f < std::ssize(faces_.faces); ++f) {
-            const std::vector<int>& nodes = faces_.faces[at(f)].nodes;
-            for (std::size_t k = 0; k < nodes.size(); ++k)
-                faces_.edges[std::minmax(nodes[k], nodes[(k + 1) % nodes.size()])].push_back({f, static_cast<int>(k)});
-        }
+        gather_edges();
         return std::move(faces_);
     }
 
@@ -64,7 +61,8 @@ private:
             ++faces_.turned;
         }
         require_convex(face);
-        std::vector<int> key = face.nodes;
+        std::array<int, 4> key = {-1, -1, -1, -1};
+        std::ranges::copy(face.nodes, key.begin());
         std::ranges::sort(key);
         const auto [known, is_new] = known_.try_emplace(key, static_cast<int>(faces_.faces.size()));
         if (is_new) faces_.faces.push_back(std::move(face));  // format 2.2 has it once for each group that it is in
@@ -123,15 +121,34 @@ private:
             for (int& node : face.nodes) node = kept[at(node)];
     }
 
+    void gather_edges() {
+        std::vector<std::pair<NodePair, FaceEdge>> all;
+        for (int f = 0; f < std::ssize(faces_.faces); ++f) {
+            const std::vector<int>& nodes = faces_.faces[at(f)].nodes;
+            for (std::size_t k = 0; k < nodes.size(); ++k)
+                all.push_back({std::minmax(nodes[k], nodes[(k + 1) % nodes.size()]), {f, static_cast<int>(k)}});
+        }
+        std::ranges::stable_sort(all, {}, &std::pair<NodePair, FaceEdge>::first);
+        for (const auto& [nodes, side] : all) {
+            if (faces_.edges.empty() || faces_.edges.back().nodes != nodes) faces_.edges.push_back({nodes, {}});
+            faces_.edges.back().sides.push_back(side);
+        }
+    }
+
     const Part& part_;
     const std::string& name_;
     Faces faces_;
-    std::map<Number, std::ptrdiff_t> place_;  // of each node in the part
-    std::map<std::vector<int>, int> known_;   // faces by their nodes, ascending
-    std::vector<int> face_of_;                // per face of the part
+    std::unordered_map<Number, std::ptrdiff_t> place_;  // of each node in the part
+    std::map<std::array<int, 4>, int> known_;           // faces by their nodes, ascending behind a -1 for a triangle
+    std::vector<int> face_of_;                          // per face of the part
 };
 
 }  // namespace
+
+const Edge* Faces::find_edge(const NodePair& ends) const {
+    const auto found = std::ranges::lower_bound(edges, ends, {}, &Edge::nodes);
+    return found != edges.end() && found->nodes == ends ? &*found : nullptr;
+}
 
 Faces faces_of(const Part& part, const std::string& name) { return Reader(part, name).read(); }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -26,16 +27,24 @@ struct FaceEdge {
 /// The nodes of an edge, ascending.
 using NodePair = std::pair<int, int>;
 
+struct Edge {
+    NodePair nodes;
+    std::vector<FaceEdge> sides;  // one at the boundary, else two
+
+    [[nodiscard]] bool is_boundary() const { return sides.size() == 1; }
+};
+
 struct Faces {
     std::vector<Vec2> nodes;      // mm; those that a face has
     std::vector<Number> numbers;  // of the nodes, in the file
     std::vector<Face> faces;
     std::map<std::string, std::vector<int>> regions;  // ascending
-    std::map<NodePair, std::vector<FaceEdge>> edges;  // one face of each at the boundary, else two
-    std::map<Number, int> node_of;                    // by its number in the file
+    std::vector<Edge> edges;                          // ascending
+    std::unordered_map<Number, int> node_of;          // by its number in the file
     int turned = 0, unused_nodes = 0;                 // faces that were clockwise; nodes
 
-    [[nodiscard]] bool is_boundary(const NodePair& edge) const { return edges.at(edge).size() == 1; }
+    /// Null: no face has an edge between these nodes.
+    [[nodiscard]] const Edge* find_edge(const NodePair& ends) const;
 };
 
 /// Throws CaseError that begins with `name` and says which node or element of the file is wrong.

@@ -63,8 +63,8 @@ public:
             if (!part_.edges.contains(group)) name_edges_between(group, numbers);
         std::set<NodePair> named;
         for (const auto& [group, edges] : named_) named.insert(edges.begin(), edges.end());
-        for (const auto& [edge, sides] : faces_.edges)
-            if (sides.size() == 1 && !named.contains(edge)) named_[unnamed_edges].insert(edge);
+        for (const Edge& edge : faces_.edges)
+            if (edge.is_boundary() && !named.contains(edge.nodes)) named_[unnamed_edges].insert(edge.nodes);
         return named_;
     }
 
@@ -87,11 +87,11 @@ private:
     void name_edge(const std::string& group, const FileEdge& edge) {
         const auto from = faces_.node_of.find(edge[0]), to = faces_.node_of.find(edge[1]);
         const bool known = from != faces_.node_of.end() && to != faces_.node_of.end();
-        const NodePair pair = known ? NodePair(std::minmax(from->second, to->second)) : NodePair();
-        if (!known || !faces_.edges.contains(pair))
+        const Edge* found = known ? faces_.find_edge(std::minmax(from->second, to->second)) : nullptr;
+        if (found == nullptr)
             throw CaseError(fmt::format("{}: group \"{}\": no element has the edge between the nodes {} and {}", name_,
                                         group, edge[0], edge[1]));
-        if (faces_.is_boundary(pair)) named_[group].insert(pair);
+        if (found->is_boundary()) named_[group].insert(found->nodes);
     }
 
     [[nodiscard]] std::set<int> nodes_of(const std::vector<Number>& numbers) const {
@@ -104,9 +104,9 @@ private:
 
     void name_edges_between(const std::string& group, const std::vector<Number>& numbers) {
         const std::set<int> nodes = nodes_of(numbers);
-        for (const auto& [edge, sides] : faces_.edges)
-            if (sides.size() == 1 && nodes.contains(edge.first) && nodes.contains(edge.second))
-                named_[group].insert(edge);
+        for (const Edge& edge : faces_.edges)
+            if (edge.is_boundary() && nodes.contains(edge.nodes.first) && nodes.contains(edge.nodes.second))
+                named_[group].insert(edge.nodes);
     }
 
     const Part& part_;
@@ -115,24 +115,26 @@ private:
     std::map<std::string, std::set<NodePair>> named_;
 };
 
-}  // namespace
-
-Mesh read_mesh_file(const std::string& path) {
-    const std::string name = name_of(path);
-    const Part part = part_in(path);
-    const Faces faces = body_in(part, name);
+Mesh mesh_of(const Part& part, const Faces& faces, const std::string& name) {
     const Quadrilaterals quadrilaterals(faces);
     Mesh mesh = quadrilaterals.mesh();
     Naming naming(part, faces, name);
     for (const auto& [group, edges] : naming.boundaries())
         for (const NodePair& edge : edges)
-            for (const BoundaryEdge& part_of_it : quadrilaterals.parts(faces.edges.at(edge).front()))
+            for (const BoundaryEdge& part_of_it : quadrilaterals.parts(faces.find_edge(edge)->sides.front()))
                 mesh.boundary[group].push_back(part_of_it);
     mesh.node_sets = naming.node_sets();
     for (const auto& [group, members] : faces.regions)
         for (const int face : members)
             for (const int element : quadrilaterals.parts(face)) mesh.groups[group].push_back(element);
     return mesh;
+}
+
+}  // namespace
+
+Mesh read_mesh_file(const std::string& path) {
+    const Part part = part_in(path);
+    return mesh_of(part, body_in(part, name_of(path)), name_of(path));
 }
 
 std::vector<std::string> describe_mesh_file(const std::string& path) {
@@ -146,7 +148,7 @@ std::vector<std::string> describe_mesh_file(const std::string& path) {
     if (faces.turned > 0) lines.push_back(fmt::format("{} elements ran clockwise and were turned", faces.turned));
     if (faces.unused_nodes > 0) lines.push_back(fmt::format("{} nodes are of no element", faces.unused_nodes));
     if (!part.passed_over.empty()) lines.push_back(fmt::format("passed over: {}", fmt::join(part.passed_over, ", ")));
-    const Mesh mesh = read_mesh_file(path);
+    const Mesh mesh = mesh_of(part, faces, name_of(path));
     std::vector<std::string> names;
     for (const auto& [group, edges] : mesh.boundary) names.push_back(fmt::format("{} ({} edges)", group, edges.size()));
     for (const auto& [group, nodes] : mesh.node_sets)

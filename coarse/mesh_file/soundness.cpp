@@ -48,15 +48,15 @@ public:
     }
 
     void require_two_faces_an_edge() const {
-        for (const auto& [edge, sides] : faces_.edges) {
+        for (const auto& [ends, sides] : faces_.edges) {
             if (sides.size() > 2)
                 complain(fmt::format("elements {}, {} and {} share the edge between the nodes {} and {}; two may",
-                                     face(sides[0]), face(sides[1]), face(sides[2]), number(edge.first),
-                                     number(edge.second)));
+                                     face(sides[0]), face(sides[1]), face(sides[2]), number(ends.first),
+                                     number(ends.second)));
             if (sides.size() == 2 && start_of(sides[0]) == start_of(sides[1]))
                 complain(fmt::format("elements {} and {} lie on the same side of their edge between the nodes {} and "
                                      "{}: they overlap",
-                                     face(sides[0]), face(sides[1]), number(edge.first), number(edge.second)));
+                                     face(sides[0]), face(sides[1]), number(ends.first), number(ends.second)));
         }
     }
 
@@ -67,7 +67,7 @@ public:
             while (first[at(f)] != f) f = first[at(f)] = first[at(first[at(f)])];
             return f;
         };
-        for (const auto& [edge, sides] : faces_.edges)
+        for (const auto& [ends, sides] : faces_.edges)
             if (sides.size() == 2) first[at(root(sides[0].face))] = root(sides[1].face);
         for (int f = 1; f < std::ssize(first); ++f)
             if (root(f) != root(0))
@@ -79,9 +79,9 @@ public:
     /// The boundary passes each of its nodes once.
     void require_no_hinge() const {
         std::map<int, int> passes;
-        for (const auto& [edge, sides] : faces_.edges) {
+        for (const auto& [ends, sides] : faces_.edges) {
             if (sides.size() != 1) continue;
-            for (const int node : {edge.first, edge.second})
+            for (const int node : {ends.first, ends.second})
                 if (++passes[node] > 2)
                     complain(fmt::format("at node {}, {}, elements hang together by this point alone", number(node),
                                          text_of(x_of(node))));
@@ -90,20 +90,20 @@ public:
 
     /// A node on an edge of which it is no end: the elements on either side do not fit.
     void require_whole_edges() const {
-        for (const auto& [edge, sides] : faces_.edges) {
+        for (const auto& [ends, sides] : faces_.edges) {
             if (sides.size() != 1) continue;
-            const Vec2 &a = x_of(edge.first), &b = x_of(edge.second);
+            const Vec2 &a = x_of(ends.first), &b = x_of(ends.second);
             const double near = on_edge * (b - a).norm();
             const auto [first, last] = std::minmax({along(a), along(b)});
             const auto place = [&](int node) { return along(x_of(node)); };
             const auto from = std::ranges::lower_bound(ordered_, first - near, {}, place);
             for (auto node = from; node != ordered_.end() && place(*node) <= last + near; ++node) {
-                if (*node == edge.first || *node == edge.second) continue;
+                if (*node == ends.first || *node == ends.second) continue;
                 if (distance_to_segment(x_of(*node), a, b) > near) continue;
                 complain(fmt::format("node {} at {} lies on the edge of element {} between the nodes {} and {}: "
                                      "neighbours must share whole edges",
-                                     number(*node), text_of(x_of(*node)), face(sides[0]), number(edge.first),
-                                     number(edge.second)));
+                                     number(*node), text_of(x_of(*node)), face(sides[0]), number(ends.first),
+                                     number(ends.second)));
             }
         }
     }
