@@ -180,9 +180,9 @@ void CoarseRun::note_sizes(const coarse::Structure& structure) {
 }
 
 bool CoarseRun::is_due(const coarse::LoadStep& step) const {
-    const int every = scene_.input.output.checkpoint_every;
-    const bool first = !saved_ && step.reversal;  // what fails in the first cycle is not lost
-    return every > 0 && (first || (step.ends_cycle && step.cycle % every == 0));
+    return coarse::checkpoint_is_due(
+        scene_.input.output.checkpoint_every, step,
+        {.has_one = saved_.has_value(), .seconds = checkpoint_s_, .of_the_run_s = seconds()});
 }
 
 void CoarseRun::write_checkpoint(const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder) {

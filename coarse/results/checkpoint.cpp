@@ -11,7 +11,7 @@
 namespace stria::coarse {
 namespace {
 
-constexpr int format = 61;  // grows with any change of the members below
+constexpr int format = 62;  // grows with any change of the members below
 
 }  // namespace
 
@@ -19,6 +19,16 @@ void forget_former_end(Checkpoint& checkpoint, const CaseMark& now, const Output
     if (cycles_of(checkpoint.mark) == cycles_of(now)) return;
     if (output.faces == Written::Extremes) checkpoint.recorder.face_rows = 0;
     if (output.fields == Written::Extremes) checkpoint.recorder.fields.clear();
+}
+
+bool checkpoint_is_due(const OrAuto<int>& every, const LoadStep& step, const CheckpointEffort& so_far) {
+    constexpr int usual = 10;  // cycles
+    constexpr double share = 0.05;
+    const int cycles = every.is_auto() ? usual : every.value();
+    if (cycles == 0) return false;
+    if (!so_far.has_one && step.reversal) return true;  // what fails in the first cycle is not lost
+    const bool is_cheap = !every.is_auto() || so_far.seconds < share * so_far.of_the_run_s;
+    return step.ends_cycle && step.cycle % cycles == 0 && is_cheap;
 }
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {

@@ -260,7 +260,7 @@ enum class FieldFormat { VtkHdf, Vtu };
 struct OutputSection {
     Written faces = Written::Extremes, fields = Written::Extremes, history = Written::All;
     FieldFormat format = FieldFormat::VtkHdf;
-    int checkpoint_every = 10;  // cycles; 0: only at the end, and where a run is interrupted
+    OrAuto<int> checkpoint_every = {};  // cycles; 0: only at the end, and where a run is interrupted
     bool operator==(const OutputSection&) const = default;
 };
 

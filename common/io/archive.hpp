@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -35,6 +36,13 @@ template <Storable T> struct Stored<T> { using Type = T; };
 template <class T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
+/// Of plain members, or of members that are records.
+template <class T>
+concept Record = std::is_class_v<T> && std::is_trivially_copyable_v<T>;
+
+/// A list for each member of a record.
+template <class... T> using Columns = std::tuple<std::vector<T>...>;
+
 /// Of which a list is kept as bytes: bytes_of(list) and from_bytes(bytes, list) stand beside the type.
 template <class T>
 concept KeptAsBytes = requires(const std::vector<T>& list) {
@@ -44,7 +52,8 @@ concept KeptAsBytes = requires(const std::vector<T>& list) {
 }  // namespace detail
 
 /// Scalars become attributes; lists of numbers, vectors, texts and index sets datasets; lists of vectors of one length
-/// datasets of two dimensions; everything else groups. Throws std::runtime_error as Group does.
+/// datasets of two dimensions; lists of records tables, a dataset for each member; everything else groups. Throws
+/// std::runtime_error as Group does.
 class Saver {
 public:
     explicit Saver(Group group) : group_(std::move(group)) {}
@@ -90,11 +99,29 @@ private:
             group_.write<double>(name, stored, {values.size(), length});
         } else if constexpr (detail::KeptAsBytes<T>) {
             list(name, bytes_of(values));
+        } else if constexpr (detail::Record<T>) {
+            table(name, values);
         } else {
             Saver inner(group_.create_group(name));
             inner.put("count", values.size());
             for (std::size_t k = 0; k < values.size(); ++k) inner.put(std::to_string(k), values[k]);
         }
+    }
+
+    /// A group costs as much as a thousand numbers of a table.
+    template <class T> void table(const std::string& name, const std::vector<T>& rows) {
+        Saver inner(group_.create_group(name));
+        inner.put("count", rows.size());
+        const auto save = [&](std::string_view names, const auto&... of_row) {
+            detail::Columns<std::remove_cvref_t<decltype(of_row)>...> columns;
+            const auto take = [&](std::string_view, const auto&... value) {
+                std::apply([&](auto&... column) { (column.push_back(value), ...); }, columns);
+            };
+            for (const T& row : rows) members(take, row);
+            std::apply([&](const auto&... column) { inner(names, column...); }, columns);
+        };
+        const T any{};
+        members(save, any);
     }
 
     Group group_;
@@ -149,6 +176,8 @@ private:
             std::vector<std::byte> bytes;
             list(name, bytes);
             from_bytes(bytes, values);
+        } else if constexpr (detail::Record<T>) {
+            table(name, values);
         } else {
             Loader inner(group_.group(name));
             std::size_t count = 0;
@@ -156,6 +185,25 @@ private:
             values.resize(count);
             for (std::size_t k = 0; k < count; ++k) inner.get(std::to_string(k), values[k]);
         }
+    }
+
+    template <class T> void table(const std::string& name, std::vector<T>& rows) {
+        Loader inner(group_.group(name));
+        std::size_t count = 0;
+        inner.get("count", count);
+        rows.resize(count);
+        const auto load = [&](std::string_view names, const auto&... of_row) {
+            detail::Columns<std::remove_cvref_t<decltype(of_row)>...> columns;
+            std::apply([&](auto&... column) { inner(names, column...); }, columns);
+            for (std::size_t k = 0; k < count; ++k) {
+                const auto put = [&](std::string_view, auto&... value) {
+                    std::apply([&](const auto&... column) { ((value = column.at(k)), ...); }, columns);
+                };
+                members(put, rows[k]);
+            }
+        };
+        const T any{};
+        members(load, any);
     }
 
     Group group_;

@@ -99,7 +99,8 @@ Section<OutputSection> output_section() {
         .in("cycles")
         .at_least(0)
         .says("A checkpoint at the first extreme and after so many cycles, for --resume; 0: only at the end and where "
-              "a run is interrupted or finds no equilibrium.");
+              "a run is interrupted or finds no equilibrium. auto: after 10 cycles, as long as checkpoints have taken "
+              "less than a twentieth of the time of the run; else 10 cycles later.");
     return s;
 }
 

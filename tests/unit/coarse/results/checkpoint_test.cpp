@@ -210,5 +210,30 @@ TEST(Checkpoint, ForgetsExtremesOfACycleThatIsNoLongerTheLast) {
     EXPECT_TRUE(checkpoint.recorder.fields.empty());
 }
 
+LoadStep step_of(int cycle, bool ends_cycle) {
+    LoadStep step;
+    step.cycle = cycle;
+    step.reversal = true;
+    step.ends_cycle = ends_cycle;
+    return step;
+}
+
+TEST(CheckpointIsDue, AtTheFirstReversalAndAfterSoManyCycles) {
+    const LoadStep reversal = step_of(1, false), fourth = step_of(4, true);
+    EXPECT_TRUE(checkpoint_is_due(3, reversal, {}));
+    EXPECT_FALSE(checkpoint_is_due(3, reversal, {.has_one = true}));
+    EXPECT_FALSE(checkpoint_is_due(3, fourth, {.has_one = true}));
+    EXPECT_TRUE(checkpoint_is_due(2, fourth, {.has_one = true, .seconds = 9.0, .of_the_run_s = 10.0}));
+    EXPECT_FALSE(checkpoint_is_due(0, reversal, {}));
+}
+
+TEST(CheckpointIsDue, AsLongAsItTakesATwentiethOfTheTimeWhereNobodySaysHowOften) {
+    const LoadStep tenth = step_of(10, true), eleventh = step_of(11, true);
+    EXPECT_TRUE(checkpoint_is_due({}, tenth, {.has_one = true, .seconds = 0.4, .of_the_run_s = 10.0}));
+    EXPECT_FALSE(checkpoint_is_due({}, tenth, {.has_one = true, .seconds = 0.6, .of_the_run_s = 10.0}));
+    EXPECT_FALSE(checkpoint_is_due({}, eleventh, {.has_one = true, .seconds = 0.0, .of_the_run_s = 10.0}));
+    EXPECT_TRUE(checkpoint_is_due({}, step_of(1, false), {.has_one = false, .seconds = 0.6, .of_the_run_s = 1.0}));
+}
+
 }  // namespace
 }  // namespace stria::coarse
