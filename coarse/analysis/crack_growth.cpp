@@ -208,9 +208,10 @@ void CrackGrowth::note_functions(const EnrichedMesh& before, const Scene& longer
 // What drives the tips has been measured.
 void CrackGrowth::require_drive(const std::vector<CycleResult>& last) const {
     const std::vector<double> rates = rates_.present();
-    const auto unread = std::ranges::find_if(rates, [](double rate) { return std::isnan(rate); });
+    const auto unread = std::ranges::find_if(rates, [](double rate) { return !std::isfinite(rate); });
     if (unread == rates.end()) return;
     const auto tip = unread - rates.begin();
+    if (std::isinf(*unread)) throw NumericalFailure(rate_is_infinite(growth_.law, tip));
     if (growth_.law == GrowthLaw::Ctod)
         throw NumericalFailure(fmt::format("tip {}: no opening range at closure.distance behind it, which drives the "
                                            "growth: the crack is shorter than that",

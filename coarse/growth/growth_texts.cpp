@@ -51,6 +51,11 @@ std::string breaks(int tip, double K, double K_I) {
         tip, K, K_I);
 }
 
+std::string rate_is_infinite(GrowthLaw law, std::ptrdiff_t tip) {
+    const char* keys = law == GrowthLaw::Table ? "growth.ranges and growth.rates" : "growth.C and growth.m";
+    return fmt::format("tip {}: {} make da/dN of what drives it larger than any number", tip, keys);
+}
+
 std::string why_no_longer(const CaseError& error) {
     const auto* at_boundary = dynamic_cast<const TipAtBoundary*>(&error);
     return at_boundary != nullptr ? at_boundary->met : error.what();

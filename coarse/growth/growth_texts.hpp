@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "common/case/case.hpp"
 #include "common/error.hpp"
 
 namespace stria::coarse {
@@ -24,6 +25,9 @@ namespace stria::coarse {
 
 /// A tip has reached the toughness, MPa sqrt(mm): by its K_I, or by what that is behind a turn.
 [[nodiscard]] std::string breaks(int tip, double K, double K_I);
+
+/// By the law a tip grows at a rate that is no number any more, for a power of that size has none.
+[[nodiscard]] std::string rate_is_infinite(GrowthLaw law, std::ptrdiff_t tip);
 
 /// Why a crack cannot be as long as it would be next.
 [[nodiscard]] std::string why_no_longer(const CaseError& error);

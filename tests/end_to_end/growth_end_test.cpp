@@ -131,6 +131,22 @@ TEST_F(GrowthEnd, SaysByHowMuchNIsTooLarge) {
     }
 }
 
+// 4096 stands for 4: the power of what drives the tip is larger than any number, and its share of that would be none.
+TEST_F(GrowthEnd, ByALawThatHasNoRateSaysSo) {
+    std::ofstream(folder / "case.toml") << plate_that_grows;
+    const std::string laws[] = {"growth={law=\"paris\", C=1e-13, m=4096.0, increment=1.0}",
+                                "growth={law=\"table\", ranges=[1.0, 1.01], rates=[1e-9, 1e3], increment=\"auto\"}"};
+    for (const std::string& law : laws) {
+        EXPECT_EQ(run_program("stria",
+                              {"run", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--force",
+                               "--set", law, "--set", "load.blocks=[{cycles=2, max=10.0, ratio=0.1}]"},
+                              folder / "log"),
+                  3);
+        const std::string said = text_of(folder / "log");
+        EXPECT_NE(said.find(" make da/dN of what drives it larger than any number"), std::string::npos) << said;
+    }
+}
+
 TEST_F(GrowthEnd, ThatDoesNotComeLeavesTheExtremesOfTheLastCycleOfTheHistory) {
     run("load.blocks.0.cycles=2");
     EXPECT_EQ(history["cycle"].back(), 2);
