@@ -88,16 +88,20 @@ bool has_elastic_fields(const Scene& scene) {
     return (scene.is_nominal || !scene.materials.may_yield()) && scene.enriched.tip_functions >= functions;
 }
 
+// Rings pass over a bend that is nearer than two elements. Up to it they would lie within the tip's element, whose
+// corners have little of the weight of one that the tip has: K was up to 99 % too low, and not a number where no corner
+// lay in a ring (verification.BentCracks.HaveTheirKBehindABend*).
 RoomForRings room_for_rings(const Scene& scene, int tip_index) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips[at(tip_index)];
     const double bend = distance_to_bend(scene.input.cracks, tip, bend_to_element * tip_element_size(mesh, tip));
+    const double not_passed = std::max(bend, elements_behind_bend * tip_element_edge(mesh, tip));
     const double loads = distance_to_loads(scene.mesh, scene.loads, tip.position);
     const double other_end = 2.0 * half_way_to_other_end(mesh.tips, tip_index);
     const double farther =
         std::min(off_the_other_end * other_end, elements_to_the_other_end * tip_element_edge(mesh, tip));
     return {.boundary = off_others * distance_to_boundary(scene.mesh, tip.position),
-            .bends_and_forces = std::min(off_others * std::min(bend, loads),
+            .bends_and_forces = std::min(off_others * std::min(not_passed, loads),
                                          off_points * distance_to_points(scene.mesh, scene.loads, tip.position)),
             .other_end = std::max(off_tips * other_end, has_elastic_fields(scene) ? farther : 0.0),
             .other_cracks = 2.0 * off_tips * half_way_to_other_cracks(scene.input.cracks, mesh.tips, tip_index)};

@@ -274,8 +274,9 @@ TEST(Rings, OfAGrownTipPressedShutReleaseNothing) {
     EXPECT_LT(closed, 0.006 * largest);
 }
 
-// All rings lie between the tip and the bend, in metal that flows to and fro. With the stress work J falls to -3.2 of
-// K^2 / E'.
+// From two elements behind the bend on, in cycle 3, all rings lie between the tip and the bend, in metal that flows to
+// and fro. With the stress work J falls to -3.2 of K^2 / E'. Nearer to it they pass over it, and J is what it is of a
+// crack that grows straight on: the zone, and so J, has no functions.
 TEST(Rings, OfAGrownTipBehindABendTellAPartOfWhatTheLoadsBring) {
     const RunHistory run = run_direct(
         short_crack({"crack.0.points=[[0.0, 18.03], [2.0, 20.03]]", "crack.0.notch=0.0",
@@ -285,7 +286,7 @@ TEST(Rings, OfAGrownTipBehindABendTellAPartOfWhatTheLoadsBring) {
         const double K = increment.K_at_end(0), share = increment.tips[0].J * 200e3 / (1.0 - 0.3 * 0.3) / (K * K);
         std::cout << fmt::format("cycle {}: J / (K^2 / E') {:.4f}\n", increment.step.cycle, share);
         EXPECT_GT(share, 0.4);
-        EXPECT_LT(share, 1.02) << "the zone, and so J, has no functions";
+        EXPECT_LT(share, increment.step.cycle > 2 ? 1.02 : 1.06);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "coarse/structure/structure.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/fracture/ring_weights.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -83,6 +84,18 @@ TEST(Rings, ReachBeyondTheMiddleOfAnElasticCrackOfFewElements) {
     input.cracks.pop_back();
     input.material.yield_stress = 300.0;
     EXPECT_NEAR(of_length(3.0), 0.475 * 3.0, 1e-12);
+}
+
+// Up to the bend no corner of an element lay in a ring: there was nothing to sum up, and K was not a number.
+TEST(Rings, PassOverABendThatIsNearerThanTwoElements) {
+    for (const double behind : {0.02, 0.1, 0.3, 0.7, 1.5, 3.0}) {
+        Case input = test::pulled_plate(1.0, false, false);
+        input.cracks[0].points = {{0.0, 10.4}, {5.45, 10.4}, {5.45, 10.4 + behind}};
+        const Scene scene = refined_scene(input);
+        EXPECT_GE(largest_ring(scene, 0), 0.95 * std::max(2.0, behind)) << behind;
+        for (const Annulus& ring : rings_about(scene, 0))
+            EXPECT_TRUE(reaches(scene.enriched, scene.enriched.tips[0], ring)) << behind;
+    }
 }
 
 TEST(Rings, AreFewerOnACoarseMeshButNeverNone) {
