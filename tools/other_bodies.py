@@ -2,6 +2,7 @@
 gives the twin of a case (twins.py), or None where it has none."""
 
 import copy
+import itertools
 import math
 
 from other_words import mapped
@@ -73,10 +74,6 @@ def turned_by_a_right_angle(case, _rng):
     twin["mesh"].update({"specimen": "plate", "width": high, "height": case["mesh"]["width"]})
     if "initial_stress" in twin:
         twin["initial_stress"] = {"sigma_x": twin["initial_stress"]["sigma_y"]}
-    for region in twin.get("region", []):
-        if "initial_stress" in region:
-            old = region["initial_stress"]
-            region["initial_stress"] = {"xx": old.get("yy", 0.0), "yy": old.get("xx", 0.0), "xy": -old.get("xy", 0.0)}
     return Twin(twin)
 
 
@@ -102,13 +99,16 @@ def from_a_file(case, _rng):
 
 def from_abaqus(case, mesh):
     """A mesh file in the other format."""
-    nodes, quads, edges = mesh
+    nodes, cells, edges, *groups = mesh
     lines = ["*NODE"] + [f"{k + 1}, {x!r}, {y!r}" for k, (x, y) in enumerate(nodes)]
-    lines += ["*ELEMENT, TYPE=CPE4"] + [f"{k + 1}, " + ", ".join(str(n + 1) for n in quad) for k, quad in enumerate(quads)]
-    side = {frozenset((quad[k], quad[(k + 1) % 4])): (e + 1, k + 1) for e, quad in enumerate(quads) for k in range(4)}
-    for name in ("bottom", "top", "left", "right"):
+    for corners, of in itertools.groupby(enumerate(cells), lambda of: len(of[1])):
+        lines += [f"*ELEMENT, TYPE=CPE{corners}"] + [f"{k + 1}, " + ", ".join(str(n + 1) for n in cell) for k, cell in of]
+    side = {frozenset((cell[k], cell[k - 1])): (e + 1, (k - 1) % len(cell) + 1) for e, cell in enumerate(cells) for k in range(len(cell))}
+    for name in sorted({name for name, _, _ in edges}):
         lines += [f"*SURFACE, NAME={name}, TYPE=ELEMENT"]
         lines += ["%d, S%d" % side[frozenset((a, b))] for of, a, b in edges if of == name]
+    for name in sorted(set(groups[0])) if groups else ():
+        lines += [f"*ELSET, ELSET={name}"] + [str(k + 1) for k, of in enumerate(groups[0]) if of == name]
     twin = copy.deepcopy(case)
     twin["mesh"] = {"file": "body.inp"}
     return Twin(twin, mesh, files={"body.inp": "\n".join(lines + [""])}, digits=True)

@@ -72,13 +72,18 @@ def mapped(case, mesh, point, vector, names=None):
     for crack in twin["crack"]:
         crack["points"] = [point(at) for at in crack["points"]]
     for region in twin.get("region", []):
-        region["outline"] = [point(at) for at in region["outline"]]
+        if "outline" in region:
+            region["outline"] = [point(at) for at in region["outline"]]
+        if "initial_stress" in region:
+            xx, yy, xy = (region["initial_stress"].get(key, 0.0) for key in ("xx", "yy", "xy"))
+            (xx, xy), (_, yy) = turned_tensor([[xx, xy], [xy, yy]], vector)
+            region["initial_stress"] = {"xx": xx, "yy": yy, "xy": xy}
     for boundary in twin["boundary"]:
         boundary["on"] = names.get(boundary["on"], boundary["on"])
-        for key in {"traction", "force", "displacement"} & boundary.keys():
+        for key in {"traction", "force", "displacement", "cosine"} & boundary.keys():
             boundary[key] = vector(boundary[key])
-        if "at" in boundary:
-            boundary["at"] = point(boundary["at"])
+        for key in {"at", "centre"} & boundary.keys():
+            boundary[key] = point(boundary[key])
         if "traction_gradient" in boundary:
             boundary["origin"] = point(boundary.get("origin", [0.0, 0.0]))
             boundary["traction_gradient"] = turned_tensor(boundary["traction_gradient"], vector)
@@ -111,12 +116,14 @@ def turned(case, mesh, angle, shift):
 
 
 def renumbered(case, mesh, rng):
-    twin, (nodes, quads, edges) = mapped(case, mesh, lambda at: [at[0] + 3.7, at[1] - 41.3], list)
+    twin, (nodes, quads, edges, *groups) = mapped(case, mesh, lambda at: [at[0] + 3.7, at[1] - 41.3], list)
     order = rng.sample(range(len(nodes)), len(nodes))  # new number of each
     moved = [nodes[old] for old in sorted(range(len(nodes)), key=order.__getitem__)]
     first = lambda quad, k: quad[k:] + quad[:k]
-    quads = [first([order[n] for n in quad], rng.randrange(4)) for quad in rng.sample(quads, len(quads))]
-    return twin, (moved, quads, [(name, order[b], order[a]) for name, a, b in edges]), same
+    shuffled = rng.sample(range(len(quads)), len(quads))
+    quads = [first([order[n] for n in quads[k]], rng.randrange(4)) for k in shuffled]
+    groups = [[group[k] for k in shuffled] for group in groups]
+    return twin, (moved, quads, [(name, order[b], order[a]) for name, a, b in edges], *groups), same
 
 
 def louder(case, mesh, times):

@@ -260,8 +260,8 @@ def broken_balance(programs, folder, text):
     return "work is off by %.1e, with four times the increments by %.1e" % (steady, left) if left > steady / 3.0 else None
 
 
-def unlawful(folder, text):
-    """What a run breaks but for its balance of work, or None."""
+def unlawful(folder, text, size=None):
+    """What a run breaks but for its balance of work, or None. `size`: of its elements, if the case does not say it."""
     with open(folder / "history.csv") as file:
         rows = list(csv.DictReader(file))
     work = max(abs(float(row["external_work"])) for row in rows)
@@ -275,7 +275,7 @@ def unlawful(folder, text):
     most = max((float(face["pressure"]) for face in faces), default=0.0)
     # Faces meet in the mean about each multiplier. Between the tips of a crack across three elements are two of them: scene
     # 61021 overlaps by 4.1 % of the largest opening there, by 0.3 % across four elements and not across eight.
-    size = float(re.search(r"\nsize = ([\d.]+)", text)[1])
+    size = size or float(re.search(r"\nsize = ([\d.]+)", text)[1])
     overlap = size * most / 200e3 + (0.05 if has_two_tips_within(3.2 * size, text) else 0.01) * max((float(face["opening"]) for face in faces), default=0.0)
     for face in faces:
         pressure, shear = float(face["pressure"]), abs(float(face["shear"] or 0.0))

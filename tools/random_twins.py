@@ -66,6 +66,16 @@ def toml(value):
     return json.dumps(value) if isinstance(value, (bool, str)) else repr(value)
 
 
+def case_text(case):
+    """A line for each key of a section."""
+    lines = [f"{key} = {toml(value)}" for key, value in case.items() if not isinstance(value, (dict, list))]
+    for name, value in case.items():
+        for section in value if isinstance(value, list) else [value] if isinstance(value, dict) else []:
+            lines.append(f"[[{name}]]" if isinstance(value, list) else f"[{name}]")
+            lines += [f"{key} = {toml(inner)}" for key, inner in section.items()]
+    return "\n".join(lines + [""])
+
+
 def crooked_mesh(rng):
     """Nodes, quadrilaterals and boundary edges of a plate, 10 mm by 20 mm."""
     across, up = rng.randint(9, 12), rng.randint(17, 22)
@@ -80,16 +90,19 @@ def crooked_mesh(rng):
 
 
 def write_mesh(path, mesh):
-    nodes, quads, edges = mesh
-    names = ["bottom", "top", "left", "right", "body"]
-    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "5"]
-    lines += [f'{2 if name == "body" else 1} {k + 1} "{name}"' for k, name in enumerate(names)]
+    """`mesh`: nodes, cells, boundary edges, and where elements have groups that of each."""
+    nodes, cells, edges, *groups = mesh
+    groups = groups[0] if groups else ["body"] * len(cells)
+    names = sorted({name for name, _, _ in edges}) + sorted(set(groups))
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(names))]
+    lines += [f'{2 if name in groups else 1} {k + 1} "{name}"' for k, name in enumerate(names)]
     lines += ["$EndPhysicalNames", "$Nodes", str(len(nodes))]
     lines += [f"{k + 1} {x!r} {y!r} 0" for k, (x, y) in enumerate(nodes)]
-    lines += ["$EndNodes", "$Elements", str(len(edges) + len(quads))]
-    tags = lambda name: f"2 {names.index(name) + 1} {names.index(name) + 1}"
-    lines += [f"{k + 1} 1 {tags(name)} {a + 1} {b + 1}" for k, (name, a, b) in enumerate(edges)]
-    lines += [f"{len(edges) + k + 1} 3 {tags('body')} " + " ".join(str(n + 1) for n in quad) for k, quad in enumerate(quads)]
+    lines += ["$EndNodes", "$Elements", str(len(edges) + len(cells))]
+    number = {name: f"2 {k + 1} {k + 1}" for k, name in enumerate(names)}
+    lines += [f"{k + 1} 1 {number[name]} {a + 1} {b + 1}" for k, (name, a, b) in enumerate(edges)]
+    lines += [f"{len(edges) + k + 1} {len(cell) - 1} {number[group]} " + " ".join(str(n + 1) for n in cell)
+              for k, (cell, group) in enumerate(zip(cells, groups))]
     path.write_text("\n".join(lines + ["$EndElements", ""]))
 
 
@@ -138,7 +151,7 @@ def run(programs, folder, name, case, mesh):
     if "file" in case["mesh"]:
         write_mesh(folder / "body.msh", mesh)
     path = folder / f"{name.replace(' ', '-')}.toml"
-    path.write_text("".join(f"{key} = {toml(value)}\n" for key, value in case.items()))
+    path.write_text(case_text(case))
     return lives.run(programs, path, path.with_suffix(""), "--mode", "inprocess"), path.with_suffix("")
 
 
