@@ -221,8 +221,8 @@ def meshed(part, folder, **wishes):
     nodes, cells, edges, groups = read(folder / "part.msh")
     used = sorted({node for cell in cells for node in cell})
     number = {old: new for new, old in enumerate(used)}
-    if any(node not in number for _, *ends in edges for node in ends):
-        return None  # a surface that it has left without elements
+    if not all({*ends} <= number.keys() for _, *ends in edges):
+        return None  # a curve that bounds no element
     new = lambda old: [number[node] for node in old]
     return [nodes[k] for k in used], [new(cell) for cell in cells], [(name, *new(ends)) for name, *ends in edges], groups
 

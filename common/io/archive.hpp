@@ -108,7 +108,7 @@ private:
         }
     }
 
-    /// A group costs as much as a thousand numbers of a table.
+    /// As a group for each record the blocks of a spectrum took most of a run (docs/performance.md, checkpoints).
     template <class T> void table(const std::string& name, const std::vector<T>& rows) {
         Saver inner(group_.create_group(name));
         inner.put("count", rows.size());
