@@ -1,5 +1,7 @@
 #include "coarse/elements/support_forces.hpp"
 
+#include <algorithm>
+
 #include "coarse/elements/elastic_force.hpp"
 
 namespace stria::coarse {
@@ -18,6 +20,13 @@ Eigen::VectorXd forces_on_prescribed(const CoarseElements& elements, const Eigen
         }
     });
     return forces;
+}
+
+Eigen::VectorXd loads_on_prescribed(const Scene& scene, const Eigen::VectorXd& load) {
+    Eigen::VectorXd loads(std::ssize(scene.prescribed));
+    std::ranges::transform(scene.prescribed, loads.begin(),
+                           [&](const PrescribedUnknown& p) { return load[p.unknown]; });
+    return loads;
 }
 
 Eigen::VectorXd load_of_imposed(const CoarseElements& elements, const Eigen::VectorXd& imposed) {

@@ -57,7 +57,7 @@ struct EquilibriumState {
 /// What a testing machine reads at the loaded boundary, along its direction.
 struct MachineReading {
     double displacement = 0.0;                     // mean, mm
-    double force = 0.0;                            // of what holds it, N/mm; zero where forces load it
+    double force = 0.0;                            // of the supports that hold it, N/mm; zero where forces load it
     double imposed_force = 0.0;                    // what unit imposed displacements do work against, N
     Eigen::VectorXd imposed_forces_of_cases = {};  // likewise, of each load case
 };

@@ -154,8 +154,7 @@ bool RunRecorder::due(Written wish, const Increment& increment) const {
 
 double RunRecorder::load(const Increment& increment) const {
     if (!loaded_ || !loaded_->has_direction()) return missing;
-    if (!loaded_->by_force) return increment.machine.force;
-    double load = increment.load_factor * loaded_->resultant.dot(loaded_->direction);
+    double load = increment.machine.force + increment.load_factor * loaded_->resultant.dot(loaded_->direction);
     const LoadFactors factors(increment.load_factor, increment.step.target.cases);
     for (std::size_t k = 0; k < loaded_->in_cases.size(); ++k)
         load += factors.of_case(static_cast<Eigen::Index>(k)) * loaded_->in_cases[k].dot(loaded_->direction);

@@ -75,7 +75,7 @@ struct Reader {
         return reading;
     }
 
-    /// `shares`: of the force on each prescribed unknown in the sum.
+    /// `shares`: of the internal force on each prescribed unknown in the sum.
     [[nodiscard]] LinearReading force(const Eigen::VectorXd& shares) const {
         Eigen::VectorXd moved = Eigen::VectorXd::Zero(scene().enriched.unknowns);
         for (std::size_t k = 0; k < scene().prescribed.size(); ++k)
@@ -87,10 +87,19 @@ struct Reader {
             reading.per_case[k] =
                 shares.dot(forces_on_prescribed(elements, gamma_held(cases[at(k)], LoadFactors::of_one_case(k))));
         if (elements.initial().load.size() == 0) return reading;
-        reading.constant = shares.dot(forces_on_prescribed(elements, gamma_held(initial, 0.0)));
-        for (std::size_t k = 0; k < scene().prescribed.size(); ++k)
-            reading.constant -=
-                shares[static_cast<Eigen::Index>(k)] * elements.initial().load[scene().prescribed[k].unknown];
+        reading.constant = shares.dot(forces_on_prescribed(elements, gamma_held(initial, 0.0)) -
+                                      loads_on_prescribed(scene(), elements.initial().load));
+        return reading;
+    }
+
+    /// What a machine pulls with at the loaded boundary: tractions beside it act on its corner nodes, too.
+    [[nodiscard]] LinearReading holding_force() const {
+        const Eigen::VectorXd& shares = scene().pull;
+        if (shares.isZero(0.0)) return nothing();
+        LinearReading reading = force(shares);
+        reading.per_load_factor -= shares.dot(loads_on_prescribed(scene(), scene().unit_force));
+        for (Eigen::Index k = 0; k < std::ssize(cases); ++k)
+            reading.per_case[k] -= shares.dot(loads_on_prescribed(scene(), scene().case_forces[at(k)]));
         return reading;
     }
 
@@ -132,7 +141,7 @@ CondensedLoads::CondensedLoads(const CoarseElements& elements, const LeafNumberi
     const bool nothing_imposed = imposed.isZero(0.0);  // then the load is that of the forces alone
     work_.displacement = nothing_imposed ? reader.displacement(unit_, force) : reader.displacement(force);
     work_.imposed_force = nothing_imposed ? reader.nothing() : reader.force(imposed);
-    holding_force_ = scene.pull.isZero(0.0) ? reader.nothing() : reader.force(scene.pull);
+    holding_force_ = reader.holding_force();
     for (Eigen::Index k = 0; k < std::ssize(cases_); ++k) work_of_cases_.push_back(reader.work_of_case(k));
     unit_energy_ = work_.displacement.per_load_factor + work_.imposed_force.per_load_factor;
     initial_energy_ = elements.initial().energy - 0.5 * initial_.interior.squaredNorm();

@@ -34,8 +34,9 @@ public:
     /// Mean displacement of the loaded boundary along its direction, mm.
     [[nodiscard]] const LinearReading& displacement_reading() const { return displacement_reading_; }
 
-    /// Force with which the supports hold the loaded boundary along its direction, N/mm, as far as coarse elements pull
-    /// at it. Zero where forces load that boundary.
+    /// Force with which the supports hold the loaded boundary along its direction, N/mm, as far as coarse elements and
+    /// loads pull at it: those on the boundary, and those beside it that act on its corner nodes. Zero where forces
+    /// load that boundary.
     [[nodiscard]] const LinearReading& holding_force() const { return holding_force_; }
 
     /// Of the main load, and of each load case.

@@ -54,6 +54,21 @@ Case loaded_mouth() {
     return input;
 }
 
+/// The bottom is moved; the top is pulled, and the sides are sheared, one of them by a dead load: they act on the
+/// corners of the bottom, too.
+Case moved_beside_tractions(const std::string& radius) {
+    Case input = small_sent({"fine.radius=" + radius, "load.steps=4"});
+    input.load.blocks = {{.cycles = 1, .max = 60.0, .min = -20.0}};
+    BoundarySection bottom = input.boundaries[1], right;
+    bottom.traction.reset();
+    bottom.displacement = {0.0, -2e-4};
+    right.on = "right";
+    right.traction = Vec2(0.0, 0.05);
+    input.load_cases = {dead_load("dead", 30.0)};
+    input.boundaries = {bottom, input.boundaries[0], right, pulled_in_case("dead", "left", {0.0, -0.1})};
+    return input;
+}
+
 struct ControlledCase {
     const char* name;
     std::function<Case()> input;
@@ -203,6 +218,22 @@ TEST_F(FollowedTargets, ADeadLoadAndAControlledDisplacementAreOneLoad) {
     ASSERT_EQ(whole.increments.size(), run.increments.size());
     for (std::size_t k = 0; k < loads.size(); ++k)
         EXPECT_NEAR(whole.increments[k].load_factor, run.increments[k].load_factor, 1e-9 * 100.0);
+}
+
+// Equilibrium of the whole body: what a machine pulls with at an edge that it moves is what all loads pull.
+TEST(AMovedEdge, IsPulledByWhatTheLoadsPull) {
+    for (const std::string radius : {"15.0", "300.0"}) {
+        const Case input = moved_beside_tractions(radius);
+        MonolithicFactory factory(input);
+        for (const RunHistory& run : {run_direct(input), run_analysis(input, factory)}) {
+            EXPECT_GT(run.increments.back().zone.dissipation, 0.0);
+            for (const Followed& increment : run.increments) {
+                const double pulled = increment.load_factor * (50.0 + 200.0 * 0.05);
+                EXPECT_NEAR(increment.machine.force, pulled - increment.step.target.cases[0] * 200.0 * 0.1,
+                            1e-8 * 3600.0);
+            }
+        }
+    }
 }
 
 TEST(ElasticDisplacementControl, RefusesWhatNoLoadMoves) {

@@ -198,8 +198,9 @@ public:
             imposed_force += p.value * force;
             for (Eigen::Index c = 0; c < of_cases.size(); ++c) of_cases[c] += p.in_case(c) * force;
         }
-        return {scene_.displacement_weights.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force,
-                of_cases};
+        const Eigen::VectorXd outer = coarse::loads_on_prescribed(scene_, loads_.under(factors_) - loads_.initial());
+        return {scene_.displacement_weights.dot(structure_displacement()), scene_.pull.dot(forces - outer),
+                imposed_force, of_cases};
     }
 
 private:
