@@ -58,6 +58,23 @@ std::optional<std::string> softening_warning(const std::string& key, const Mater
         key, strain, -least, -least);
 }
 
+/// A crack grows by it, mm per cycle.
+bool is_known(double rate) { return rate >= slowest_rate && rate <= fastest_rate; }
+
+/// Of a law by which no crack grows: what C would be if it came in units with which one would.
+std::string other_units(const GrowthSection& growth, double rate) {
+    const double per_root_metre = std::pow(1000.0, -0.5 * growth.m);
+    std::string units;
+    const auto add = [&](const char* unit, double factor) {
+        if (is_known(factor * rate))
+            units += fmt::format("{}{} and MPa sqrt(m), growth.C = {:.3g}",
+                                 units.empty() ? ". If C is of " : "; if of ", unit, factor * growth.C);
+    };
+    add("mm/cycle", per_root_metre);
+    add("m/cycle", 1000.0 * per_root_metre);
+    return units;
+}
+
 /// Of a largest K: what of it drives at most, where the load is all that the body feels and never falls to zero.
 double part_that_drives(const Case& input) {
     const bool alone = input.load_cases.empty() && !has_initial_stress(input);
@@ -103,16 +120,13 @@ std::vector<std::string> rate_warnings(const Case& input, const std::vector<doub
                             growth.ranges.back(), largest)};
     if (usual < threshold_of(growth)) return {};  // a rarer cycle drives a tip
     const double rate = rate_of_range(growth, usual);
-    if (rate >= slowest_rate && rate <= fastest_rate) return {};
+    if (is_known(rate)) return {};
     const std::string grows =
         fmt::format("{}: at dK = {:.4g} MPa sqrt(mm) the law gives da/dN = {:.2g} mm, and no crack "
-                    "grows so{} (1e-8 to 0.1)",
+                    "grows so{} (1e-9 to 0.1)",
                     table ? "growth.rates" : "growth.C", usual, rate, rate > fastest_rate ? " fast" : " slowly");
     if (table) return {grows};
-    const double per_root_metre = growth.C * std::pow(1000.0, -0.5 * growth.m);
-    return {fmt::format("{}. If C is of mm/cycle and MPa sqrt(m), growth.C = {:.3g}; if of m/cycle and MPa sqrt(m), "
-                        "growth.C = {:.3g}",
-                        grows, per_root_metre, 1000.0 * per_root_metre)};
+    return {grows + other_units(growth, rate)};
 }
 
 }  // namespace stria::coarse

@@ -67,6 +67,11 @@ TEST(MaterialAdequacy, AsksForTheUnitsOfALawOfGrowth) {
     EXPECT_NE(coarse::rate_warnings(input, K, K)[0].find("MPa sqrt(m), growth.C = 2.18e-13; if"), std::string::npos);
     input.growth->C = 2.18e-19;
     EXPECT_NE(coarse::rate_warnings(input, K, K)[0].find("so slowly"), std::string::npos);
+    EXPECT_EQ(coarse::rate_warnings(input, K, K)[0].find("growth.C ="), std::string::npos) << "slower still";
+    input.growth->m = 4096.0;
+    EXPECT_NE(coarse::rate_warnings(input, K, K)[0].find("da/dN = inf mm"), std::string::npos);
+    EXPECT_EQ(coarse::rate_warnings(input, K, K)[0].find("growth.C ="), std::string::npos) << "that would be 0";
+    input.growth->m = 3.0;
     input.growth->law = GrowthLaw::Prescribed;
     EXPECT_TRUE(coarse::rate_warnings(input, K, K).empty());
 }
