@@ -150,7 +150,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     increment.machine = equilibrium_->machine_reading();
     const coupling::Commit what = commit_of(step);
     equilibrium_->begin_commit(what);  // the zone commits while the structure looks at its rings
-    const RingIntegrals own = what.brief ? rings_->unknown() : rings_->integrals(equilibrium_->near_displacement());
+    const RingIntegrals own = what.brief ? rings_->unknown() : structure_integrals();
     increment.zone = equilibrium_->commit(what);
     displacement_.fall_behind();
     increment.equilibrium = equilibrium_.get();
@@ -164,6 +164,12 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     if (step.settles) begin_here(work_);
     increment.work = work_;
     return increment;
+}
+
+RingIntegrals TwoScaleModel::structure_integrals() {
+    if (answers_in_proportion(body_.structure()))
+        return rings_->integrals_in_proportion(body_.structure(), factors_.main);
+    return rings_->integrals(equilibrium_->near_displacement());
 }
 
 void TwoScaleModel::keep_zone() {

@@ -61,6 +61,8 @@ public:
 private:
     /// With what somebody reads of an increment.
     [[nodiscard]] coupling::Commit commit_of(const LoadStep& step) const;
+    /// Of the trial state, at the factors that it has.
+    [[nodiscard]] RingIntegrals structure_integrals();
     /// What is asked of the mesh once so many cycles have passed.
     [[nodiscard]] MeshDemands demands(int passed) const;
     void keep_zone();

@@ -17,6 +17,18 @@ RingIntegrals StructureRings::integrals(const Eigen::VectorXd& u) const {
     return integrals;
 }
 
+RingIntegrals StructureRings::integrals_in_proportion(const Structure& structure, double load_factor) {
+    if (!of_unit_load_) {
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(structure.scene().enriched.unknowns);
+        structure.expand_near({}, 1.0, 0.0, u);
+        of_unit_load_ = integrals_of_displacement(u);
+    }
+    RingIntegrals integrals = *of_unit_load_;
+    for (std::vector<DomainIntegral>& of_tip : integrals)
+        for (DomainIntegral& of_ring : of_tip) of_ring = of_ring.of_scaled(load_factor);
+    return integrals;
+}
+
 RingIntegrals StructureRings::unknown() const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     RingIntegrals integrals;
@@ -29,6 +41,11 @@ RingIntegrals StructureRings::integrals_of_displacement(const Eigen::VectorXd& u
     RingIntegrals integrals;
     for (const RingForms& tip : tips_) integrals.push_back(tip.values(*elements_, u));
     return integrals;
+}
+
+bool answers_in_proportion(const Structure& structure) {
+    const Scene& scene = structure.scene();
+    return structure.gamma().empty() && scene.case_forces.empty() && !scene.initial_stress().any();
 }
 
 }  // namespace stria::coarse

@@ -1,10 +1,12 @@
 // The ring forms of all tips of a structure.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "coarse/fracture/ring_forms.hpp"
+#include "coarse/structure/structure.hpp"
 
 namespace stria::coarse {
 
@@ -29,6 +31,9 @@ public:
     /// The structure's share in the domain integrals, with the initial stress where there is one. `u`: displacement of
     /// the whole mesh, mm; that of near elements is read.
     [[nodiscard]] RingIntegrals integrals(const Eigen::VectorXd& u) const;
+    /// The same of a structure that one load alone acts on, and no zone or initial stress: it answers in proportion to
+    /// the load factor. At the factor 1 it is looked at once.
+    [[nodiscard]] RingIntegrals integrals_in_proportion(const Structure& structure, double load_factor);
     /// The same of a displacement alone.
     [[nodiscard]] RingIntegrals integrals_of_displacement(const Eigen::VectorXd& u) const;
     /// Hands out what it consists of.
@@ -39,6 +44,10 @@ public:
 private:
     const CoarseElements* elements_;
     std::vector<RingForms> tips_;
+    std::optional<RingIntegrals> of_unit_load_;  // integrals_in_proportion()
 };
+
+/// A structure that integrals_in_proportion() serves.
+[[nodiscard]] bool answers_in_proportion(const Structure& structure);
 
 }  // namespace stria::coarse

@@ -28,6 +28,16 @@ struct DomainIntegral {
         left.rotation = 0.0;
         return left;
     }
+
+    /// Of the solution times a factor: J is of second order in it, and what the place of the ring says stays.
+    [[nodiscard]] DomainIntegral of_scaled(double factor) const {
+        DomainIntegral scaled = *this;
+        scaled.J *= factor * factor;
+        for (double* part : {&scaled.interaction_I, &scaled.interaction_II, &scaled.interaction_T, &scaled.rotation,
+                             &scaled.wake_I, &scaled.wake_II})
+            *part *= factor;
+        return scaled;
+    }
 };
 
 STRIA_MEMBERS(DomainIntegral, J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/crack/crack_crossings.hpp"
 #include "common/enrichment/element_basis.hpp"
@@ -11,6 +12,7 @@
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
+#include "common/regula_falsi.hpp"
 
 namespace stria {
 namespace {
@@ -239,17 +241,23 @@ double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip,
         const FaceStation station = face_station_at(mesh, tip.crack, tip.s + held.direction * r);
         return opening(station) - 2.0 * r;
     };
-    // The opening starts like r^p, above 2 r; walk outwards geometrically to the first change of sign, then bisect.
-    double inner = 1e-9 * reach;
-    if (excess(inner) <= 0.0) return 0.0;
-    double outer = inner;
-    while (outer < reach && excess(outer) > 0.0) {
-        inner = outer;
-        outer *= 1.5;
+    // The opening starts like r^p, above 2 r; walk outwards geometrically to the first change of sign.
+    double inner = 1e-9 * reach, at_inner = excess(inner);
+    if (at_inner <= 0.0) return 0.0;
+    double outer = 1.5 * inner, at_outer = excess(outer);
+    while (at_outer > 0.0) {
+        inner = std::exchange(outer, 1.5 * outer);
+        if (outer >= reach) return -1.0;
+        at_inner = std::exchange(at_outer, excess(outer));
     }
-    if (outer >= reach) return -1.0;
-    for (int k = 0; k < 60; ++k) (excess((inner + outer) / 2.0) > 0.0 ? inner : outer) = (inner + outer) / 2.0;
-    return inner + outer;
+    RegulaFalsi root;  // of what is left of the excess, in parts of the way between the two
+    constexpr int most = 60;
+    for (int k = 0; k < most; ++k) {
+        const double from = root.guess();
+        root.narrow(k == 0 ? at_outer / at_inner : excess(inner + from * (outer - inner)) / at_inner);
+        if (std::abs(root.guess() - from) < 1e-15) break;
+    }
+    return 2.0 * (inner + root.guess() * (outer - inner));
 }
 
 }  // namespace stria
