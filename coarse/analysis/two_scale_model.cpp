@@ -10,6 +10,7 @@
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/load_scale.hpp"
 #include "coarse/structure/gamma.hpp"
+#include "coarse/structure/proportion.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/integration/moved_field.hpp"

@@ -43,9 +43,4 @@ RingIntegrals StructureRings::integrals_of_displacement(const Eigen::VectorXd& u
     return integrals;
 }
 
-bool answers_in_proportion(const Structure& structure) {
-    const Scene& scene = structure.scene();
-    return structure.gamma().empty() && scene.case_forces.empty() && !scene.initial_stress().any();
-}
-
 }  // namespace stria::coarse

@@ -31,8 +31,8 @@ public:
     /// The structure's share in the domain integrals, with the initial stress where there is one. `u`: displacement of
     /// the whole mesh, mm; that of near elements is read.
     [[nodiscard]] RingIntegrals integrals(const Eigen::VectorXd& u) const;
-    /// The same of a structure that one load alone acts on, and no zone or initial stress: it answers in proportion to
-    /// the load factor. At the factor 1 it is looked at once.
+    /// The same of a structure that answers in proportion to its load factor (proportion.hpp): at the factor 1 it is
+    /// looked at once.
     [[nodiscard]] RingIntegrals integrals_in_proportion(const Structure& structure, double load_factor);
     /// The same of a displacement alone.
     [[nodiscard]] RingIntegrals integrals_of_displacement(const Eigen::VectorXd& u) const;
@@ -46,8 +46,5 @@ private:
     std::vector<RingForms> tips_;
     std::optional<RingIntegrals> of_unit_load_;  // integrals_in_proportion()
 };
-
-/// A structure that integrals_in_proportion() serves.
-[[nodiscard]] bool answers_in_proportion(const Structure& structure);
 
 }  // namespace stria::coarse

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "coarse/structure/proportion.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "tests/support/plate_of_load_cases.hpp"
