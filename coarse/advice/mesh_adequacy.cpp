@@ -23,6 +23,7 @@ std::optional<MeshDoubt> doubt_of_rings(const Scene& scene, std::size_t tip, dou
     if (first) doubt = doubt_of_bend(scene, tip);
     if (!doubt) doubt = doubt_of_room(scene, tip, radius);
     if (!doubt) doubt = doubt_of_metal(scene, tip);
+    if (!doubt && first) doubt = doubt_of_sharp_bend(scene, tip);
     if (!doubt) doubt = doubt_of_neighbour(scene, tip);
     return doubt;
 }

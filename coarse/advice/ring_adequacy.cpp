@@ -25,6 +25,15 @@ constexpr double least_for_K = 0.3;  // elements to another metal
 /// part counts against the distance.
 constexpr double elements_to_crack = 16.0, elements_without_functions = 40.0;
 
+/// Between a tip and a sharp bend, for J.
+constexpr double elements_for_J = least_for_J + elements_before_bend;
+
+/// What else a sharp bend takes, for the end of a sentence.
+std::string without_J(const Scene& scene, std::size_t tip, const char* to_what) {
+    if (bends_leave_J(scene, static_cast<int>(tip))) return {};
+    return fmt::format(", and J is not told nearer than {:g}{}", elements_for_J, to_what);
+}
+
 bool share_functions(const EnrichedMesh& mesh, int tip) {
     return std::ranges::any_of(mesh.terms.nodes(), [&](int node) {
         return std::ranges::any_of(mesh.terms[at(node)], [&](const Term& term) {
@@ -68,8 +77,21 @@ std::optional<MeshDoubt> doubt_of_bend(const Scene& scene, std::size_t t) {
     if (straight >= elements_behind_bend * element) return std::nullopt;
     return MeshDoubt{MeshDoubtKind::Bend,
                      fmt::format("tip {}: its crack bends {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; K is "
-                                 "not resolved nearer than {:g}: smaller elements there",
-                                 t, straight, straight / element, element, elements_behind_bend)};
+                                 "not resolved nearer than {:g}{}: smaller elements there",
+                                 t, straight, straight / element, element, elements_behind_bend,
+                                 without_J(scene, t, ""))};
+}
+
+std::optional<MeshDoubt> doubt_of_sharp_bend(const Scene& scene, std::size_t t) {
+    const Tip& tip = scene.enriched.tips[t];
+    const auto bend = sharp_bend(scene.enriched, scene.input.cracks, tip);
+    if (!bend || bends_leave_J(scene, static_cast<int>(t))) return std::nullopt;
+    const double element = std::max(bend->element, tip_element_edge(scene.enriched, tip));
+    return MeshDoubt{MeshDoubtKind::Bend,
+                     fmt::format("tip {}: its crack bends sharply {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; J "
+                                 "wants {:g} or more and is not told: elements of {:.3g} mm or less there",
+                                 t, bend->distance, bend->distance / element, element, elements_for_J,
+                                 bend->distance / elements_for_J)};
 }
 
 std::optional<MeshDoubt> doubt_of_room(const Scene& scene, std::size_t tip, double radius) {
@@ -80,13 +102,14 @@ std::optional<MeshDoubt> doubt_of_room(const Scene& scene, std::size_t tip, doub
     return MeshDoubt{
         MeshDoubtKind::Room,
         fmt::format("tip {}: the largest ring off edges, loads, bends and other tips has a radius of {:.3g} mm, {:.2g} "
-                    "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
-                    tip, radius, radius / element, element, wanted)};
+                    "elements of {:.3g} mm; K and J want {:g} or more{}: smaller elements there",
+                    tip, radius, radius / element, element, wanted,
+                    without_J(scene, tip, " elements to a sharp bend"))};
 }
 
 // K and T are taken across metals, J is not.
 std::optional<MeshDoubt> doubt_of_metal(const Scene& scene, std::size_t tip) {
-    if (tells_J(scene, static_cast<int>(tip))) return std::nullopt;
+    if (metals_leave_J(scene, static_cast<int>(tip))) return std::nullopt;
     const double radius = largest_ring_of_one_metal(scene, static_cast<int>(tip));
     const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
     const bool K_is_off = radius < least_for_K * element;

@@ -13,6 +13,9 @@ namespace stria::coarse {
 /// A bend less than two elements behind a tip, which rings pass over.
 [[nodiscard]] std::optional<MeshDoubt> doubt_of_bend(const Scene& scene, std::size_t tip);
 
+/// A sharp bend that leaves no ring for J.
+[[nodiscard]] std::optional<MeshDoubt> doubt_of_sharp_bend(const Scene& scene, std::size_t tip);
+
 /// No ring of as many elements about it as K wants, two or three, which is not due to a bend. `radius`: of the largest
 /// ring, mm.
 [[nodiscard]] std::optional<MeshDoubt> doubt_of_room(const Scene& scene, std::size_t tip, double radius);

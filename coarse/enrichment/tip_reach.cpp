@@ -37,6 +37,40 @@ std::vector<Vec2> beyond_straight(const CrackSection& crack, const Tip& tip, dou
     return {};
 }
 
+/// What a crack is from its first sharp bend on, walked from the tip; empty where it has none. Parts that follow each
+/// other and are turned as much are one; it must go `band` across the line behind the tip.
+std::vector<Vec2> from_sharp_bend_on(const CrackSection& crack, const Tip& tip, double band) {
+    std::vector<Vec2> points = points_to(crack, tip);
+    std::ranges::reverse(points);
+    std::size_t first = 0;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const Vec2 way = points[k] - points[k + 1];
+        if (std::abs(std::atan2(cross(tip.direction, way), tip.direction.dot(way))) <= sharp_turn) {
+            first = k + 1;
+        } else if (std::abs(cross(tip.direction, points[k + 1] - points[first])) > band) {
+            points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
+            return points;
+        }
+    }
+    return {};
+}
+
+/// Edge of the element that holds the place of a crack that is nearest to a point, mm.
+double element_edge_at(const EnrichedMesh& mesh, int crack, const Vec2& x) {
+    double nearest = std::numeric_limits<double>::infinity();
+    int element = -1;
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack) continue;
+        for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
+            const double distance = distance_to_segment(x, piece.points[k], piece.points[k + 1]);
+            if (distance >= nearest) continue;
+            nearest = distance;
+            element = piece.element;
+        }
+    }
+    return element < 0 ? 0.0 : edge_of_square(mesh, element);
+}
+
 double distance_to(const std::vector<Vec2>& polyline, const Vec2& x) {
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k + 1 < polyline.size(); ++k)
@@ -106,6 +140,14 @@ double half_way_to_other_cracks(const std::vector<CrackSection>& cracks, std::sp
 double distance_to_bend(const std::vector<CrackSection>& cracks, const Tip& tip, double band) {
     if (tip.crack >= std::ssize(cracks)) return std::numeric_limits<double>::infinity();  // a field's, without a crack
     return distance_to(beyond_straight(cracks[at(tip.crack)], tip, band), tip.position);
+}
+
+std::optional<SharpBend> sharp_bend(const EnrichedMesh& mesh, const std::vector<CrackSection>& cracks, const Tip& tip) {
+    if (tip.crack >= std::ssize(cracks)) return std::nullopt;  // as above
+    const std::vector<Vec2> rest =
+        from_sharp_bend_on(cracks[at(tip.crack)], tip, bend_to_element * tip_element_size(mesh, tip));
+    if (rest.empty()) return std::nullopt;
+    return SharpBend{distance_to(rest, tip.position), element_edge_at(mesh, tip.crack, rest.front())};
 }
 
 double room_in_body(const Mesh& mesh, const std::vector<CrackSection>& cracks, const Tip& tip, double band) {

@@ -1,6 +1,8 @@
 // How far around a tip its asymptotic field is the whole story.
 #pragma once
 
+#include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,14 @@ constexpr double bend_to_element = 0.25;
 /// From so many elements behind a bend on K is resolved: rings about a tip pass over one that is nearer.
 constexpr double elements_behind_bend = 2.0;
 
+/// A turn by more than ten degrees is sharp: K of a tip just behind it is not resolved, and what is turned so much from
+/// the line behind a tip begins at a sharp bend, if the mesh could show it.
+constexpr double sharp_turn = std::numbers::pi / 18.0;
+
+/// Rings for J end so many elements before a sharp bend: J is quadratic in the singular field of its corner, which the
+/// elements about it do not hold (docs/verification/elastic.md, "J behind a bend").
+constexpr double elements_before_bend = 2.0;
+
 /// Half of the distance from tip number `tip` to the other one of its crack, mm; infinite where there is none.
 double half_way_to_other_end(std::span<const Tip> tips, int tip);
 
@@ -27,7 +37,14 @@ double half_way_to_other_cracks(const std::vector<CrackSection>& cracks, std::sp
 /// `band`, mm; infinite where it does not.
 double distance_to_bend(const std::vector<CrackSection>& cracks, const Tip& tip, double band);
 
-/// Distance from a tip to the nearest of that and the body's boundary, mm.
+/// The first sharp bend of a tip's crack, seen from the tip.
+struct SharpBend {
+    double distance;  // from the tip to what the crack is from there on, mm
+    double element;   // edge of the element that holds it, mm
+};
+std::optional<SharpBend> sharp_bend(const EnrichedMesh& mesh, const std::vector<CrackSection>& cracks, const Tip& tip);
+
+/// Distance from a tip to the nearest of a bend and the body's boundary, mm.
 double room_in_body(const Mesh& mesh, const std::vector<CrackSection>& cracks, const Tip& tip, double band);
 
 /// Distance from a tip to that place; infinite where the crack does not leave the line.

@@ -66,22 +66,21 @@ double spread(std::span<const RingValues> rings, double RingValues::*value, doub
     return (most.*value - least.*value) / std::abs(scale);
 }
 
-/// J from the first ring, whatever has flowed in it, if it is of one metal. K and T from the first ring in which
-/// nothing has flowed, or, failing that, from the one that begins farthest out, of those across metals where there are
-/// such; their spread over such rings alone.
+/// J from the first ring that tells it, whatever has flowed in it. K and T from the first ring in which nothing has
+/// flowed, or, failing that, from the one that begins farthest out, of those that tell K; their spread over such rings
+/// alone.
 void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>& values,
                const std::vector<coupling::FlowShell>& flow_ever, TipResult& result) {
-    std::vector<RingValues> of_one_metal, elastic;
+    std::vector<RingValues> for_J, elastic;
     for (std::size_t k = 0; k < rings.size(); ++k) {
-        if (rings[k].one_metal) of_one_metal.push_back(values[k]);
+        if (rings[k].tells_J) for_J.push_back(values[k]);
         const auto misses = [&](const coupling::FlowShell& shell) {
             return shell.reach <= rings[k].inner || shell.begin >= rings[k].outer;
         };
-        if (rings[k].one_metal == rings.back().one_metal && std::ranges::all_of(flow_ever, misses))
-            elastic.push_back(values[k]);
+        if (rings[k].tells_K && std::ranges::all_of(flow_ever, misses)) elastic.push_back(values[k]);
     }
-    result.J = of_one_metal.empty() ? std::nan("") : of_one_metal.front().J;
-    result.J_spread = spread(of_one_metal, &RingValues::J, result.J);
+    result.J = for_J.empty() ? std::nan("") : for_J.front().J;
+    result.J_spread = spread(for_J, &RingValues::J, result.J);
     result.rings_flow = elastic.empty();
     const auto farthest = std::ranges::max_element(rings, {}, &Annulus::inner) - rings.begin();
     const RingValues& chosen = elastic.empty() ? values[at(farthest)] : elastic.front();

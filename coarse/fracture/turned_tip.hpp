@@ -1,8 +1,7 @@
 // Which way a tip turns, and its K just behind the turn.
 #pragma once
 
-#include <numbers>
-
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 
 namespace stria::coarse {
@@ -14,9 +13,6 @@ namespace stria::coarse {
 /// K_I of a crack that has just turned by `angle`, radians, from one with the K of `before`: of the stress across its
 /// new direction. Erdogan and Sih, likewise; within some percent of the exact one.
 [[nodiscard]] double K_just_turned(const TipResult& before, double angle);
-
-/// K of a tip just behind a turn by more than ten degrees is not resolved.
-inline constexpr double sharp_turn = std::numbers::pi / 18.0;
 
 /// The K that a metal breaks by: K_I of the tip, or the one that it has once K_II has turned it sharply, if that is
 /// more.

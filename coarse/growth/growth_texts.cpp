@@ -15,7 +15,7 @@ namespace stria::coarse {
 std::string turns_sharply(std::size_t tip, double grows, double element) {
     return fmt::format(
         "warning: tip {} turns sharply and grows by {:.3g} mm, less than {:g} elements of {:.3g} mm: its K "
-        "is not resolved until it is as far behind the bend",
+        "is not resolved until it is as far behind the bend, and its J is not told until it is twice as far",
         tip, grows, elements_behind_bend, element);
 }
 

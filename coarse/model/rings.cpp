@@ -72,16 +72,28 @@ std::vector<double> sizes_for(const Scene& scene, int tip, std::span<const Annul
     return longest_edges(scene.mesh, scene.enriched.tips[at(tip)], rings);
 }
 
+double before_sharp_bend(const Scene& scene, int tip) {
+    const auto bend = sharp_bend(scene.enriched, scene.input.cracks, scene.enriched.tips[at(tip)]);
+    return bend ? bend->distance - elements_before_bend * bend->element : std::numeric_limits<double>::infinity();
+}
+
+bool leaves_J(const Scene& scene, int tip, double radius) {
+    return radius >= least_for_J * tip_element_edge(scene.enriched, scene.enriched.tips[at(tip)]);
+}
+
 }  // namespace
 
 double largest_ring_of_one_metal(const Scene& scene, int tip) {
     return 0.95 * distance_to_interface(scene.enriched, scene.materials, scene.enriched.tips[at(tip)]);
 }
 
-bool tells_J(const Scene& scene, int tip) {
-    const double edge = tip_element_edge(scene.enriched, scene.enriched.tips[at(tip)]);
-    return largest_ring_of_one_metal(scene, tip) >= least_for_J * edge;
+double largest_ring_for_J(const Scene& scene, int tip) {
+    return std::min(largest_ring_of_one_metal(scene, tip), before_sharp_bend(scene, tip));
 }
+
+bool metals_leave_J(const Scene& scene, int tip) { return leaves_J(scene, tip, largest_ring_of_one_metal(scene, tip)); }
+
+bool bends_leave_J(const Scene& scene, int tip) { return leaves_J(scene, tip, before_sharp_bend(scene, tip)); }
 
 bool has_elastic_fields(const Scene& scene) {
     constexpr int functions = 4;  // of eq. (2)
@@ -123,10 +135,13 @@ std::vector<Annulus> rings_about(const Scene& scene, int tip) {
     auto all = family;
     const double of_one_metal = largest_ring_of_one_metal(scene, tip);
     const bool one_metal = radius <= of_one_metal;
-    for (Annulus& ring : all) ring = {ring.inner * radius, ring.outer * radius, one_metal};
+    const double for_J = largest_ring_for_J(scene, tip);
+    for (Annulus& ring : all)
+        ring = {ring.inner * radius, ring.outer * radius, one_metal, one_metal && ring.outer * radius <= for_J};
     const std::vector<double> sizes = sizes_for(scene, tip, all);
     std::vector<Annulus> rings;
-    if (!one_metal && tells_J(scene, tip)) rings.push_back({family[0].inner * of_one_metal, of_one_metal});
+    if (radius > for_J && leaves_J(scene, tip, for_J))
+        rings.push_back({.inner = family[0].inner * for_J, .outer = for_J, .tells_K = false});
     const std::size_t first = rings.size();
     for (std::size_t k = 0; k < all.size(); ++k) {
         const bool is_thick = sizes[k] > 0.0 && all[k].outer - all[k].inner >= elements_across * sizes[k];
@@ -136,7 +151,7 @@ std::vector<Annulus> rings_about(const Scene& scene, int tip) {
 }
 
 std::size_t first_for_K(std::span<const Annulus> rings) {
-    return at(std::ranges::find(rings, rings.back().one_metal, &Annulus::one_metal) - rings.begin());
+    return at(std::ranges::find(rings, true, &Annulus::tells_K) - rings.begin());
 }
 
 }  // namespace stria::coarse

@@ -29,18 +29,25 @@ double largest_ring(const Scene& scene, int tip);
 /// Of the largest one that other metals allow (Materials::are_alike()), mm; infinite where there are none.
 double largest_ring_of_one_metal(const Scene& scene, int tip);
 
-/// Elements across the radius of a ring of one metal: in a smaller one J is off by one percent or more.
+/// Elements across the radius of a ring of one metal, off sharp bends: in a smaller one J is off by one percent or
+/// more.
 inline constexpr double least_for_J = 2.0;
 
-/// Whether there is a ring that J can be taken in, for it is not known across metals.
-bool tells_J(const Scene& scene, int tip);
+/// Of the largest ring that J may be told from as far as other metals and sharp bends go, mm: it is not known across
+/// metals, nor near the corner of a bend. Infinite where there are none, negative next to a bend.
+double largest_ring_for_J(const Scene& scene, int tip);
 
-/// Concentric rings within the largest one, of one metal all of them or none. The first is the thickest: J is taken
-/// there. Of the others those are left that are at least two elements thick, which also keeps them two elements off the
-/// tip's own. Where they are not of one metal, one that is stands in front of them if it tells J.
+/// Whether other metals leave a ring that J can be taken in, and whether a sharp bend does.
+bool metals_leave_J(const Scene& scene, int tip);
+bool bends_leave_J(const Scene& scene, int tip);
+
+/// Concentric rings within the largest one, of one metal all of them or none. The first is the thickest: K is taken
+/// there, and J if it may be. Of the others those are left that are at least two elements thick, which also keeps them
+/// two elements off the tip's own. Where J is not told from the first, a smaller one for J alone stands in front of
+/// them, if it has room.
 std::vector<Annulus> rings_about(const Scene& scene, int tip);
 
-/// Place of the first of them that K and T are told from: of those across metals where there are such.
+/// Place of the first of them that K and T are told from.
 std::size_t first_for_K(std::span<const Annulus> rings);
 
 }  // namespace stria::coarse

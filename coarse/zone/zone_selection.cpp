@@ -184,11 +184,11 @@ coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const 
         const std::vector<Annulus> rings = rings_about(scene, t);
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[at(t)]);
         for (int k = 0; k < std::ssize(rings); ++k) {
-            const auto& [inner, outer, one_metal] = rings[at(k)];
+            const Annulus& ring = rings[at(k)];
             // An initial stress counts inside of a ring too, and another metal.
-            if (scene.initial_stress().any() || !one_metal ||
-                reaches(patch.mesh, scene.enriched.tips[at(t)], rings[at(k)]))
-                patch.rings.push_back({t, k, inner, outer, element});
+            if (scene.initial_stress().any() || !ring.one_metal ||
+                reaches(patch.mesh, scene.enriched.tips[at(t)], ring))
+                patch.rings.push_back({t, k, ring.inner, ring.outer, element});
         }
     }
     return patch;

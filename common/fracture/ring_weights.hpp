@@ -14,6 +14,7 @@ namespace stria {
 struct Annulus {
     double inner, outer;    // mm
     bool one_metal = true;  // nothing in it answers otherwise than the tip's material (Materials::are_alike())
+    bool tells_J = true, tells_K = true;
 
     [[nodiscard]] double weight(double r) const { return std::clamp((outer - r) / (outer - inner), 0.0, 1.0); }
 };

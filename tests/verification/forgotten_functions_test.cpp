@@ -66,7 +66,11 @@ TEST_P(ForgottenFunctions, LeaveNoTrace) {
             ASSERT_NE(same, there.increments.end());
             EXPECT_NEAR(now.tips[0].K_I, same->tips[0].K_I, 1e-4 * K) << growth << ", load " << now.load_factor;
             EXPECT_NEAR(now.tips[0].K_II, same->tips[0].K_II, 1e-4 * K) << growth << ", load " << now.load_factor;
-            EXPECT_NEAR(now.tips[0].J, same->tips[0].J, 1e-6 * J) << growth << ", load " << now.load_factor;
+            EXPECT_EQ(std::isnan(same->tips[0].J), std::isnan(now.tips[0].J));
+            EXPECT_FALSE(std::isnan(J) && slant == 0.0) << "only behind a sharp bend it is not told";
+            if (!std::isnan(J)) {
+                EXPECT_NEAR(now.tips[0].J, same->tips[0].J, 1e-6 * J) << growth << ", load " << now.load_factor;
+            }
             EXPECT_NEAR(now.tips[0].CMOD, same->tips[0].CMOD, 1e-8 * there.increments.back().tips[0].CMOD);
             if (now.tips[0].contact_length > 0.0) ++closed;
         }

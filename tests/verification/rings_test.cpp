@@ -274,20 +274,26 @@ TEST(Rings, OfAGrownTipPressedShutReleaseNothing) {
     EXPECT_LT(closed, 0.006 * largest);
 }
 
-// The first growth is two elements long, so all rings lie between the tip and the bend, in metal that flows to and fro.
-// With the stress work J falls to -3.2 of K^2 / E'. On elements twice as large rings pass over the bend then, and J is
-// not resolved: 1.044 of K^2 / E' in cycle 2, where elements of this size have 0.862 and half as large ones 0.843.
+// Each growth is two elements long, so after the second one rings for J lie between the tip and the bend, in metal that
+// flows to and fro. With the stress work J falls to -3.2 of K^2 / E'.
 TEST(Rings, OfAGrownTipBehindABendTellAPartOfWhatTheLoadsBring) {
     const RunHistory run = run_direct(
         short_crack({"crack.0.points=[[0.0, 18.03], [2.0, 20.03]]", "crack.0.notch=0.0", "fine.refine=8",
-                     "load.blocks=[{cycles=4, max=400.0, min=-400.0}]", "growth.increment=0.125", "growth.every=1"}));
+                     "load.blocks=[{cycles=6, max=400.0, min=-400.0}]", "growth.increment=0.125", "growth.every=1"}));
+    int told = 0;
     for (const coarse::Increment& increment : run.increments) {
         if (!increment.step.at_maximum || increment.step.cycle < 2) continue;
         const double K = increment.K_at_end(0), share = increment.tips[0].J * 200e3 / (1.0 - 0.3 * 0.3) / (K * K);
         std::cout << fmt::format("cycle {}: J / (K^2 / E') {:.4f}\n", increment.step.cycle, share);
+        if (std::isnan(share)) {
+            EXPECT_LT(increment.step.cycle, 4);
+            continue;
+        }
+        ++told;
         EXPECT_GT(share, 0.4);
         EXPECT_LT(share, 1.02) << "the zone, and so J, has no functions";
     }
+    EXPECT_EQ(told, 3);
 }
 
 }  // namespace

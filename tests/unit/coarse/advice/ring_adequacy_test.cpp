@@ -25,9 +25,20 @@ TEST_F(Advice, NamesABendNearATip) {
     ASSERT_EQ(bent(1.3).size(), 1U);
     EXPECT_NE(bent(1.3)[0].find("tip 0: its crack bends 1.6"), std::string::npos) << bent(1.3)[0];
     ASSERT_EQ(bent(1.9).size(), 1U);
+    EXPECT_NE(bent(1.3)[0].find("and J is not told nearer than 4: smaller"), std::string::npos) << bent(1.3)[0];
     EXPECT_NE(bent(1.9)[0].find("2.1 elements of 1 mm; K and J want 3 or more"), std::string::npos) << bent(1.9)[0];
-    EXPECT_TRUE(bent(3.0).empty());
+    EXPECT_NE(bent(1.9)[0].find("not told nearer than 4 elements to a sharp bend"), std::string::npos) << bent(1.9)[0];
+    ASSERT_EQ(bent(3.0).size(), 1U);
+    EXPECT_NE(bent(3.0)[0].find("bends sharply 3 mm behind it, 3 elements of 1 mm; J wants 4 or more and is not told: "
+                                "elements of 0.75 mm or less there"),
+              std::string::npos)
+        << bent(3.0)[0];
+    EXPECT_TRUE(bent(4.1).empty());
     input.cracks[0].points = {{0.0, 10.3}, {7.3, 10.3}, {8.3, 10.4}};  // too little to see
+    EXPECT_TRUE(at(300.0).empty());
+    input.cracks[0].points = {{0.0, 10.1}, {6.3, 10.1}, {7.3, 10.5}, {8.3, 10.5}};  // a step of as little
+    EXPECT_EQ(at(300.0).size(), 1U);
+    input.cracks[0].points = {{0.0, 10.1}, {6.3, 10.1}, {6.5, 10.3}, {8.3, 10.3}};
     EXPECT_TRUE(at(300.0).empty());
 }
 

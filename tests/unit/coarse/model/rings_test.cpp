@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/structure/structure.hpp"
@@ -96,6 +97,35 @@ TEST(Rings, PassOverABendThatIsNearerThanTwoElements) {
         for (const Annulus& ring : rings_about(scene, 0))
             EXPECT_TRUE(reaches(scene.enriched, scene.enriched.tips[0], ring)) << behind;
     }
+}
+
+// J is quadratic in the singular field of a bend's corner, which elements about it do not hold: a ring that comes near
+// had it 20 % off four elements behind a bend, and ten times off nearer. K, of first order, is from the larger rings.
+TEST(Rings, ForJEndTwoElementsBeforeASharpBend) {
+    const auto bent = [](double length, double degrees) {
+        Case input = test::pulled_plate(0.5, false, false);
+        const double angle = degrees * std::numbers::pi / 180.0;
+        input.cracks[0].points = {
+            {0.0, 10.4}, {5.3, 10.4}, Vec2(5.3, 10.4) + length * Vec2(std::cos(angle), std::sin(angle))};
+        return refined_scene(input);
+    };
+    for (const double degrees : {90.0, -60.0, 11.0}) {
+        const Scene scene = bent(3.0, degrees);
+        const std::vector<Annulus> rings = rings_about(scene, 0);
+        EXPECT_NEAR(rings.front().outer, 3.0 - 2.0 * 0.5, 1e-9) << degrees;
+        EXPECT_TRUE(rings.front().tells_J && !rings.front().tells_K) << degrees;
+        EXPECT_EQ(first_for_K(rings), 1U) << degrees;
+        EXPECT_GE(rings[1].outer, 0.95 * 3.0) << degrees;
+        EXPECT_EQ(std::ranges::count(rings, false, &Annulus::tells_J),
+                  std::ranges::count_if(rings, [&](auto& ring) { return ring.outer > rings.front().outer; }))
+            << degrees;
+        EXPECT_TRUE(bends_leave_J(scene, 0));
+        const Scene nearer = bent(1.9, degrees);
+        EXPECT_FALSE(bends_leave_J(nearer, 0));
+        EXPECT_TRUE(std::ranges::none_of(rings_about(nearer, 0), &Annulus::tells_J)) << degrees;
+    }
+    const Scene slight = bent(1.0, 9.0);
+    EXPECT_TRUE(rings_about(slight, 0).front().tells_J && rings_about(slight, 0).front().tells_K);
 }
 
 TEST(Rings, AreFewerOnACoarseMeshButNeverNone) {
