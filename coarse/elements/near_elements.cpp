@@ -58,7 +58,7 @@ double reach_of_zone(const EnrichedMesh& mesh, int tip, const NodeSet& nodes_of_
 Neighbourhood with_room(const Scene& scene, int tip, const NodeSet& nodes_of_zone) {
     constexpr double most = 0.25;  // of the largest ring's radius: what is near is paid for in each increment
     constexpr int steps = 20;
-    const double radius = largest_ring(scene, tip);
+    const double radius = largest_ring_of_either_body(scene, tip);
     if (!scene.input.growth) return {radius, 0.0};
     const double room = std::min(steps * scene.input.growth->increment.value_or(radius), most * radius);
     return {std::max(radius, reach_of_zone(scene.enriched, tip, nodes_of_zone)) + room, room};
@@ -173,7 +173,7 @@ ElementSet near_elements(const Scene& scene, const ElementSet& in_zone) {
     const EnrichedMesh& mesh = scene.enriched;
     NodeSet nodes = nodes_of(mesh, in_zone);
     for (int t = 0; t < std::ssize(mesh.tips); ++t)
-        add_neighbourhood(scene.mesh, mesh.tips[at(t)], {largest_ring(scene, t), 0.0}, nodes);
+        add_neighbourhood(scene.mesh, mesh.tips[at(t)], {largest_ring_of_either_body(scene, t), 0.0}, nodes);
     return near_about(scene, in_zone, nodes);
 }
 

@@ -81,30 +81,19 @@ bool leaves_J(const Scene& scene, int tip, double radius) {
     return radius >= least_for_J * tip_element_edge(scene.enriched, scene.enriched.tips[at(tip)]);
 }
 
-}  // namespace
-
-double largest_ring_of_one_metal(const Scene& scene, int tip) {
-    return 0.95 * distance_to_interface(scene.enriched, scene.materials, scene.enriched.tips[at(tip)]);
+double one_metal_about(const Scene& scene, const EnrichedMesh& mesh, int tip) {
+    return 0.95 * distance_to_interface(mesh, scene.materials, mesh.tips[at(tip)]);
 }
 
-double largest_ring_for_J(const Scene& scene, int tip) {
-    return std::min(largest_ring_of_one_metal(scene, tip), before_sharp_bend(scene, tip));
-}
-
-bool metals_leave_J(const Scene& scene, int tip) { return leaves_J(scene, tip, largest_ring_of_one_metal(scene, tip)); }
-
-bool bends_leave_J(const Scene& scene, int tip) { return leaves_J(scene, tip, before_sharp_bend(scene, tip)); }
-
-bool has_elastic_fields(const Scene& scene) {
+bool spans_elastic_fields(const EnrichedMesh& mesh) {
     constexpr int functions = 4;  // of eq. (2)
-    return (scene.is_nominal || !scene.materials.may_yield()) && scene.enriched.tip_functions >= functions;
+    return mesh.tip_functions >= functions;
 }
 
 // Rings pass over a bend that is nearer than two elements. Up to it they would lie within the tip's element, whose
 // corners have little of the weight of one that the tip has: K was up to 99 % too low, and not a number where no corner
 // lay in a ring (verification.BentCracks.HaveTheirKBehindABend*).
-RoomForRings room_for_rings(const Scene& scene, int tip_index) {
-    const EnrichedMesh& mesh = scene.enriched;
+RoomForRings room_in(const Scene& scene, const EnrichedMesh& mesh, bool elastic_fields, int tip_index) {
     const Tip& tip = mesh.tips[at(tip_index)];
     const double bend = distance_to_bend(scene.input.cracks, tip, bend_to_element * tip_element_size(mesh, tip));
     const double not_passed = std::max(bend, elements_behind_bend * tip_element_edge(mesh, tip));
@@ -115,19 +104,48 @@ RoomForRings room_for_rings(const Scene& scene, int tip_index) {
     return {.boundary = off_others * distance_to_boundary(scene.mesh, tip.position),
             .bends_and_forces = std::min(off_others * std::min(not_passed, loads),
                                          off_points * distance_to_points(scene.mesh, scene.loads, tip.position)),
-            .other_end = std::max(off_tips * other_end, has_elastic_fields(scene) ? farther : 0.0),
+            .other_end = std::max(off_tips * other_end, elastic_fields ? farther : 0.0),
             .other_cracks = 2.0 * off_tips * half_way_to_other_cracks(scene.input.cracks, mesh.tips, tip_index)};
 }
 
-double largest_ring(const Scene& scene, int tip_index) {
-    const EnrichedMesh& mesh = scene.enriched;
+double largest_ring_in(const Scene& scene, const EnrichedMesh& mesh, bool elastic_fields, int tip_index) {
     const Tip& tip = mesh.tips[at(tip_index)];
-    const RoomForRings room = room_for_rings(scene, tip_index);
+    const RoomForRings room = room_in(scene, mesh, elastic_fields, tip_index);
     const double free = std::min({room.boundary, room.bends_and_forces, room.other_end, room.other_cracks});
     const double radius =
         flows_far(scene) || is_solved_once(scene) ? free : std::min(free, most_across * scene.mesh.longest_edge());
-    const double of_one_metal = largest_ring_of_one_metal(scene, tip_index);
+    const double of_one_metal = one_metal_about(scene, mesh, tip_index);
     return of_one_metal < least_for_T * tip_element_edge(mesh, tip) ? radius : std::min(radius, of_one_metal);
+}
+
+}  // namespace
+
+double largest_ring_of_one_metal(const Scene& scene, int tip) { return one_metal_about(scene, scene.enriched, tip); }
+
+double largest_ring_for_J(const Scene& scene, int tip) {
+    return std::min(largest_ring_of_one_metal(scene, tip), before_sharp_bend(scene, tip));
+}
+
+bool metals_leave_J(const Scene& scene, int tip) { return leaves_J(scene, tip, largest_ring_of_one_metal(scene, tip)); }
+
+bool bends_leave_J(const Scene& scene, int tip) { return leaves_J(scene, tip, before_sharp_bend(scene, tip)); }
+
+bool has_elastic_fields(const Scene& scene) {
+    return (scene.is_nominal || !scene.materials.may_yield()) && spans_elastic_fields(scene.enriched);
+}
+
+RoomForRings room_for_rings(const Scene& scene, int tip) {
+    return room_in(scene, scene.enriched, has_elastic_fields(scene), tip);
+}
+
+double largest_ring(const Scene& scene, int tip) {
+    return largest_ring_in(scene, scene.enriched, has_elastic_fields(scene), tip);
+}
+
+double largest_ring_of_either_body(const Scene& scene, int tip) {
+    const double own = largest_ring(scene, tip);
+    if (!scene.nominal) return own;
+    return std::max(own, largest_ring_in(scene, *scene.nominal, spans_elastic_fields(*scene.nominal), tip));
 }
 
 std::vector<Annulus> rings_about(const Scene& scene, int tip) {

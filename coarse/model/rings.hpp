@@ -26,6 +26,9 @@ RoomForRings room_for_rings(const Scene& scene, int tip);
 /// elements.
 double largest_ring(const Scene& scene, int tip);
 
+/// The same, or that of its nominal body where that is larger: both must be near, whichever is solved.
+double largest_ring_of_either_body(const Scene& scene, int tip);
+
 /// Of the largest one that other metals allow (Materials::are_alike()), mm; infinite where there are none.
 double largest_ring_of_one_metal(const Scene& scene, int tip);
 
