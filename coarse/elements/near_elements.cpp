@@ -147,14 +147,14 @@ ElementSet others_without_tips(const EnrichedMesh& mesh, const StillElements& st
     return others;
 }
 
-/// Whether what is behind is factored in much more operations than its rim, which comes with the core in each step: two
-/// unknowns a node, about 80 n^(3/2) operations in the plane (nested dissection, George 1973), and m^3 / 3 for a dense
-/// rim, four times as fast. What this rule spares: docs/performance.md, a step of growth.
-bool spares_work(const EnrichedMesh& mesh, const StillElements& still, const ElementSet& behind) {
-    const NodeSet inside = nodes_of(mesh, behind);
+/// Whether these elements are factored in much more operations than their rim, which comes with the core in each step:
+/// two unknowns a node, about 80 n^(3/2) operations in the plane (nested dissection, George 1973), and m^3 / 3 for a
+/// dense rim, four times as fast. What this rule spares: docs/performance.md, a step of growth.
+bool spares_work(const EnrichedMesh& mesh, const StillElements& still, const ElementSet& part) {
+    const NodeSet inside = nodes_of(mesh, part);
     NodeSet of_core(mesh.nodes.size());
-    for (int e = 0; e < behind.size(); ++e)
-        if (!behind.contains(e) && !still.far.holds(e) && !still.middle.holds(e))
+    for (int e = 0; e < part.size(); ++e)
+        if (!part.contains(e) && !still.far.holds(e) && !still.middle.holds(e))
             for (const int node : mesh.elements[at(e)]) of_core.insert(node);
     int rim = 0;
     for (int node = 0; node < inside.size(); ++node) rim += inside.contains(node) && of_core.contains(node) ? 1 : 0;
@@ -179,15 +179,17 @@ ElementSet near_elements(const Scene& scene, const ElementSet& in_zone) {
 
 ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& known) {
     const EnrichedMesh& mesh = scene.enriched;
-    if (known.size() == in_zone.size() && disjoint(known, in_zone) && disjoint(known, near_elements(scene, in_zone)))
+    if (known.size() == in_zone.size() && !known.none() && disjoint(known, in_zone) &&
+        disjoint(known, near_elements(scene, in_zone)))
         return known;
     const NodeSet of_zone = nodes_of(mesh, in_zone);
     NodeSet nodes = of_zone;
     for (int t = 0; t < std::ssize(mesh.tips); ++t)
         add_neighbourhood(scene.mesh, mesh.tips[at(t)], with_room(scene, t, of_zone), nodes);
     ElementSet close = near_about(scene, in_zone, nodes);
-    if (close.none()) return ElementSet(in_zone.size());
-    return (close |= in_zone).complement();
+    const ElementSet far = (close |= in_zone).complement();
+    const bool serves = !close.none() && (!in_zone.none() || spares_work(mesh, {}, far));
+    return serves ? far : ElementSet(in_zone.size());
 }
 
 StillElements still_elements(const Scene& scene, const ElementSet& in_zone, const StillElements& known) {
