@@ -99,6 +99,20 @@ ElementSet plain_beside(const Scene& scene, const ElementSet& in_zone, const Ele
     return others.complement();
 }
 
+/// Whether these elements are factored in much more operations than their rim, which comes with the core in each step:
+/// two unknowns a node, about 80 n^(3/2) operations in the plane (nested dissection, George 1973), and m^3 / 3 for a
+/// dense rim, four times as fast. What this rule spares: docs/performance.md, a step of growth.
+bool spares_work(const EnrichedMesh& mesh, const StillElements& still, const ElementSet& part) {
+    const NodeSet inside = nodes_of(mesh, part);
+    NodeSet of_core(mesh.nodes.size());
+    for (int e = 0; e < part.size(); ++e)
+        if (!part.contains(e) && !still.far.holds(e) && !still.middle.holds(e))
+            for (const int node : mesh.elements[at(e)]) of_core.insert(node);
+    int rim = 0;
+    for (int node = 0; node < inside.size(); ++node) rim += inside.contains(node) && of_core.contains(node) ? 1 : 0;
+    return std::pow(2.0 * rim, 3) / 3.0 < 4.0 * 80.0 * std::pow(inside.count(), 1.5);
+}
+
 ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& far,
                            const ElementSet& known) {
     if (!scene.input.growth) return {};
@@ -112,7 +126,7 @@ ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const 
             add_neighbourhood(scene.mesh, mesh.tips[at(t)], about_zone(scene, t, nodes, steps), with_room);
         const ElementSet middle = plain_beside(scene, in_zone, far, with_room);
         const int core = in_zone.size() - far.count() - in_zone.count() - middle.count();
-        if (middle.count() > 2 * core) return middle;
+        if (middle.count() > 2 * core && spares_work(mesh, {.far = far, .middle = {}}, middle)) return middle;
     }
     return {};
 }
@@ -145,20 +159,6 @@ ElementSet others_without_tips(const EnrichedMesh& mesh, const StillElements& st
         if (!still.far.holds(e) && !still.middle.holds(e) && std::ranges::none_of(mesh.elements[at(e)], changes))
             others.insert(e);
     return others;
-}
-
-/// Whether these elements are factored in much more operations than their rim, which comes with the core in each step:
-/// two unknowns a node, about 80 n^(3/2) operations in the plane (nested dissection, George 1973), and m^3 / 3 for a
-/// dense rim, four times as fast. What this rule spares: docs/performance.md, a step of growth.
-bool spares_work(const EnrichedMesh& mesh, const StillElements& still, const ElementSet& part) {
-    const NodeSet inside = nodes_of(mesh, part);
-    NodeSet of_core(mesh.nodes.size());
-    for (int e = 0; e < part.size(); ++e)
-        if (!part.contains(e) && !still.far.holds(e) && !still.middle.holds(e))
-            for (const int node : mesh.elements[at(e)]) of_core.insert(node);
-    int rim = 0;
-    for (int node = 0; node < inside.size(); ++node) rim += inside.contains(node) && of_core.contains(node) ? 1 : 0;
-    return std::pow(2.0 * rim, 3) / 3.0 < 4.0 * 80.0 * std::pow(inside.count(), 1.5);
 }
 
 bool disjoint(const ElementSet& a, const ElementSet& b) {

@@ -18,9 +18,10 @@ ElementSet near_elements(const Scene& scene, const ElementSet& in_zone);
 /// near, none is far; nor of a body without a zone where the full matrix on their rim takes more than they spare.
 ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& known = {});
 
-/// The same, and which of the near elements are in the middle: none where cracks do not grow, or few would be. They
-/// stay for as long as all of them are near, the far ones stay, and none has to be in the core: where a crack changes
-/// its functions, or it touches the zone. Otherwise they are chosen anew, with room ahead of the tips.
+/// The same, and which of the near elements are in the middle: none where cracks do not grow, few would be, or the full
+/// matrix on their rim takes more than they spare. They stay for as long as all of them are near, the far ones stay,
+/// and none has to be in the core: where a crack changes its functions, or it touches the zone. Otherwise they are
+/// chosen anew, with room ahead of the tips.
 StillElements still_elements(const Scene& scene, const ElementSet& in_zone, const StillElements& known = {});
 
 /// Which elements are behind, of the whole body without a zone: where cracks grow, all that is neither far nor in the
