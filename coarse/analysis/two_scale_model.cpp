@@ -203,10 +203,7 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding, const ElementS
 void TwoScaleModel::prepare_growth() {
     const Stopwatch watch(effort_.growth_s);
     keep_zone();
-    if (is_kept_)
-        displacement_.catch_up_beside_far(*equilibrium_, mesh());
-    else
-        displacement_.catch_up(*equilibrium_, mesh());
+    displacement_.catch_up_beside_far(*equilibrium_, mesh());
     displacement_.keep_far();
 }
 

@@ -53,10 +53,12 @@ double reach_of_zone(const EnrichedMesh& mesh, int tip, const NodeSet& nodes_of_
     return reach;
 }
 
+/// Of the far elements: those near are paid for in each increment, and the far ones where a tip has used up its room.
+constexpr double most_near = 0.05;
+
 /// A ring grows no faster than its tip advances; a zone goes with its tip. How long the run will be must not show: it
-/// may be resumed with more cycles.
-Neighbourhood with_room(const Scene& scene, int tip, const NodeSet& nodes_of_zone) {
-    constexpr double most = 0.25;  // of the largest ring's radius: what is near is paid for in each increment
+/// may be resumed with more cycles. `most`: of the largest ring's radius.
+Neighbourhood with_room(const Scene& scene, int tip, const NodeSet& nodes_of_zone, double most) {
     constexpr int steps = 20;
     const double radius = largest_ring_of_either_body(scene, tip);
     if (!scene.input.growth) return {radius, 0.0};
@@ -183,13 +185,17 @@ ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const Ele
         disjoint(known, near_elements(scene, in_zone)))
         return known;
     const NodeSet of_zone = nodes_of(mesh, in_zone);
-    NodeSet nodes = of_zone;
-    for (int t = 0; t < std::ssize(mesh.tips); ++t)
-        add_neighbourhood(scene.mesh, mesh.tips[at(t)], with_room(scene, t, of_zone), nodes);
-    ElementSet close = near_about(scene, in_zone, nodes);
-    const ElementSet far = (close |= in_zone).complement();
-    const bool serves = !close.none() && (!in_zone.none() || spares_work(mesh, {}, far));
-    return serves ? far : ElementSet(in_zone.size());
+    ElementSet far;
+    for (const double most : {1.0, 0.5, 0.25}) {
+        NodeSet nodes = of_zone;
+        for (int t = 0; t < std::ssize(mesh.tips); ++t)
+            add_neighbourhood(scene.mesh, mesh.tips[at(t)], with_room(scene, t, of_zone, most), nodes);
+        ElementSet close = near_about(scene, in_zone, nodes);
+        if (close.none()) return ElementSet(in_zone.size());
+        far = (close |= in_zone).complement();
+        if (close.count() <= most_near * far.count()) break;
+    }
+    return !in_zone.none() || spares_work(mesh, {}, far) ? far : ElementSet(in_zone.size());
 }
 
 StillElements still_elements(const Scene& scene, const ElementSet& in_zone, const StillElements& known) {

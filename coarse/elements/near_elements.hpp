@@ -14,8 +14,9 @@ namespace stria::coarse {
 ElementSet near_elements(const Scene& scene, const ElementSet& in_zone);
 
 /// The far elements. `known`: those of the structure before (none: empty). They stay for as long as none of them has to
-/// be near; otherwise they are chosen anew, with room ahead of the tips where cracks grow. Where no element has to be
-/// near, none is far; nor of a body without a zone where the full matrix on their rim takes more than they spare.
+/// be near; otherwise they are chosen anew, with room ahead of the tips where cracks grow: the more, the more are far.
+/// Where no element has to be near, none is far; nor of a body without a zone where the full matrix on their rim takes
+/// more than they spare.
 ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& known = {});
 
 /// The same, and which of the near elements are in the middle: none where cracks do not grow, few would be, or the full
