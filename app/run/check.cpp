@@ -11,6 +11,7 @@
 #include "coarse/advice/case_warnings.hpp"
 #include "coarse/advice/work_estimate.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/fracture/K_behind_turns.hpp"
 #include "coarse/fracture/halved_elements.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
@@ -101,6 +102,8 @@ void print_K(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
     if (nominal.tips.empty()) return;
     constexpr double worth_a_warning = 0.005;
     const LargestK K = at_largest_load(scene, unit);
+    const std::vector<double> opening = coarse::largest_K_I(scene.input, unit),
+                              turned = coarse::largest_K_behind_turns(scene.input, unit);
     const std::vector<coarse::TipResult> halved = halved_where_cheap(scene);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) {
         const coarse::TipResult& tip = nominal.tips[t];
@@ -109,6 +112,8 @@ void print_K(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
         if (K.initial)
             fmt::print("#   of K_I {:.5g} and of K_II {:.5g} by the initial stress\n", tip.K_initial,
                        tip.K_II_initial + 0.0);
+        if (turned[t] != opening[t])
+            fmt::print("#   as it grows it turns sharply at first: K_I = {:.4g} behind that\n", turned[t]);
         if (halved.empty()) continue;
         const double change = coarse::change_of_K(tip, halved[t]);
         fmt::print("#   on elements half as large {}: K changes by {:.2g} %\n", K.text(halved[t]), 100.0 * change);

@@ -9,8 +9,8 @@
 #include "coarse/advice/material_adequacy.hpp"
 #include "coarse/advice/mesh_adequacy.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/fracture/K_behind_turns.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
-#include "coarse/fracture/turned_tip.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/increment_schedule.hpp"
@@ -99,28 +99,6 @@ std::vector<std::string> overload_warnings(const Scene& scene, const std::vector
     return all;
 }
 
-/// Of tips that turn sharply as they grow what drives them then, of others `opening`: the largest K_I. `any`:
-/// largest_K.
-std::vector<double> behind_turns(const Case& input, std::vector<double> opening, const std::vector<double>& any) {
-    if (!input.growth || input.growth->direction == GrowthDirection::Straight) return opening;
-    for (std::size_t t = 0; t < opening.size(); ++t) {
-        TipResult tip;
-        tip.K_I = opening[t];
-        tip.K_II = std::sqrt(std::max(any[t] * any[t] - opening[t] * opening[t], 0.0) / 3.0);
-        const double angle = hoop_stress_angle(tip.K_I, tip.K_II);
-        if (std::abs(angle) > sharp_turn) opening[t] = K_just_turned(tip, angle);
-    }
-    return opening;
-}
-
-/// That of the usual cycles: K of a load is to K of another one as before the turn.
-std::vector<double> usual_behind_turns(const std::vector<double>& usual, const std::vector<double>& largest,
-                                       std::vector<double> turned) {
-    for (std::size_t t = 0; t < turned.size(); ++t)
-        if (usual[t] > 0.0) turned[t] *= usual[t] / largest[t];
-    return turned;
-}
-
 /// Part of the way up from which on no increment is longer than one of E647's segments: below it no compliance is told.
 double told_from(const LoadSection& load) {
     constexpr double segment = 0.1 * (1.0 + 1e-9);
@@ -206,24 +184,25 @@ std::vector<std::string> pressed_faces_warnings(const Scene& scene, const UnitRe
 }  // namespace
 
 std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& nominal) {
-    const std::vector<double> K = common_K_I(scene.input, nominal), largest = K_of_closure(scene.input, nominal),
+    const std::vector<double> opening = largest_K_I(scene.input, nominal),
+                              turned = largest_K_behind_turns(scene.input, nominal),
+                              usual = common_K_behind_turns(scene.input, nominal),
+                              largest = K_of_closure(scene.input, nominal),
                               distance = closure_distances(scene.input.closure, largest, scene.yield_stress_at_tips());
     std::vector<std::string> all = material_warnings(scene.input);
     const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
     add(thickness_warnings(scene.input));
     add(steps_warnings(scene.input));
     add(units_of_K_warnings(scene.input));
-    const std::vector<double> opening = largest_K_I(scene.input, nominal),
-                              turned = behind_turns(scene.input, opening, largest_K(scene.input, nominal));
-    add(rate_warnings(scene.input, usual_behind_turns(K, opening, turned), turned));
+    add(rate_warnings(scene.input, usual, turned));
     add(early_break_warnings(scene.input, opening, turned));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));
-    add(overload_warnings(scene, largest, K, distance));
+    add(overload_warnings(scene, largest, usual, distance));
     add(offset_warnings(scene));
     add(pressed_faces_warnings(scene, nominal));
-    add(mesh_warnings(scene, K, distance));
+    add(mesh_warnings(scene, usual, distance));
     return all;
 }
 

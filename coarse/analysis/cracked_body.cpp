@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "coarse/fracture/K_behind_turns.hpp"
 #include "coarse/load/load_scale.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
@@ -77,6 +78,8 @@ void CrackedBody::write(AnalysisState& state) const {
 }
 
 bool CrackedBody::has_zone() const { return !in_zone_.none(); }
+
+std::vector<double> CrackedBody::K_of_closure() const { return coarse::K_of_closure(scene_->input, nominal_at_start_); }
 
 double CrackedBody::load_scale() const {
     return target_of_unit(scene_->input.load, stress_intensities(nominal()), grown());

@@ -48,6 +48,8 @@ public:
     [[nodiscard]] const std::vector<double>& largest_K() const { return nominal_.largest_K(); }
     /// Of the cracks that the run began with.
     [[nodiscard]] const UnitResponse& nominal_at_start() const { return nominal_at_start_; }
+    /// By that (K_behind_turns.hpp).
+    [[nodiscard]] std::vector<double> K_of_closure() const;
     /// Of the present ones; and of that what the loaded boundary does.
     [[nodiscard]] UnitResponse nominal_response() const { return nominal_.response(*scene_); }
     [[nodiscard]] const UnitDisplacement& unit_displacement() const { return nominal_.unit_displacement(); }

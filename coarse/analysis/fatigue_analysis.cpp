@@ -18,9 +18,9 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
       controller_(graded_load(scene.input, body_.nominal_at_start()), scene.input.solver, CaseHistories(scene.input)),
-      closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks,
-                            K_of_closure(scene.input, body_.nominal_at_start())),
-               from != nullptr ? from->closure : ClosureMemory()),
+      closure_(
+          ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks, body_.K_of_closure()),
+          from != nullptr ? from->closure : ClosureMemory()),
       cycle_meter_(scene.input, closure_.meter(), scene.enriched.tips, controller_.looks_ahead()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());

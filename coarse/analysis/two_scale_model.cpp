@@ -7,6 +7,7 @@
 
 #include "coarse/advice/limit_load_hint.hpp"
 #include "coarse/equilibrium/carried_increments.hpp"
+#include "coarse/fracture/K_behind_turns.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/load_scale.hpp"
 #include "coarse/structure/gamma.hpp"
@@ -104,7 +105,8 @@ coupling::Patch TwoScaleModel::patch_of(const Scene& scene, const ElementSet& in
 
 // The rings are there already: to look for their room once more would cost a pass over the mesh.
 MeshDemands TwoScaleModel::demands(int passed) const {
-    MeshDemands demands{.K_I = common_K_I(body_.scene().input, body_.nominal_response(), body_.grown(), passed),
+    MeshDemands demands{.K_I =
+                            common_K_behind_turns(body_.scene().input, body_.nominal_response(), body_.grown(), passed),
                         .distance = closure_.opening_at()};
     for (int tip = 0; tip < std::ssize(mesh().tips); ++tip)
         demands.radius.push_back(std::ranges::max(rings_->about(tip).rings(), {}, &Annulus::outer).outer);

@@ -34,7 +34,7 @@ class ClosureMeter {
 public:
     ClosureMeter() = default;
 
-    /// `K`: K_of_closure (load_scale.hpp), MPa sqrt(mm), one per tip. It gives the default distance, with the yield
+    /// `K`: K_of_closure (K_behind_turns.hpp), MPa sqrt(mm), one per tip. It gives the default distance, with the yield
     /// stress there, MPa, one per tip. Sliding is measured where there is friction and a profile is asked for.
     ClosureMeter(const ClosureSection& closure, const std::vector<double>& yield_stress,
                  const std::vector<CrackSection>& cracks, const std::vector<double>& K);

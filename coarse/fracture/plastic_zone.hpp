@@ -13,7 +13,7 @@ namespace stria::coarse {
 double subdivision_radius(double beta, double K, double yield_stress);
 
 /// How far behind each tip closure and the opening are looked at: as the case says, or a tenth of eq. (3) where beta is
-/// 1. `K`: K_of_closure (load_scale.hpp); one per tip like `yield_stress`.
+/// 1. `K`: K_of_closure (K_behind_turns.hpp); one per tip like `yield_stress`.
 [[nodiscard]] std::vector<double> closure_distances(const ClosureSection& closure, const std::vector<double>& K,
                                                     const std::vector<double>& yield_stress);
 

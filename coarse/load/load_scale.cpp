@@ -152,33 +152,18 @@ double without_load(const Case& input, const UnitResponse& nominal) {
     return is_moved ? nominal.displacement.beside(CaseHistories(input).dead()) : 0.0;
 }
 
-/// Of each tip: largest_K, and that of K_I alone.
-struct LargestK {
-    std::vector<double> any, opening;
-};
-
-LargestK largest_of(const Case& input, UnitResponse nominal, double grown = 0.0) {
-    LargestK K{.any = largest_K(input, nominal, grown), .opening = {}};
-    nominal.K_II.clear();
-    nominal.K_II_initial.clear();
-    for (std::vector<double>& of_tip : nominal.K_II_of_cases) std::ranges::fill(of_tip, 0.0);
-    K.opening = largest_K(input, nominal, grown);
-    for (std::size_t t = 0; t < K.any.size(); ++t)
-        if (K.opening[t] <= negligible * K.any[t]) K.opening[t] = 0.0;
-    return K;
-}
-
 }  // namespace
 
-std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal) {
-    auto [any, K] = largest_of(input, nominal);
-    for (std::size_t t = 0; t < K.size(); ++t)
-        if (K[t] == 0.0) K[t] = any[t];
-    return K;
-}
-
 std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal, double grown) {
-    return largest_of(input, nominal, grown).opening;
+    UnitResponse opening = nominal;
+    opening.K_II.clear();
+    opening.K_II_initial.clear();
+    for (std::vector<double>& of_tip : opening.K_II_of_cases) std::ranges::fill(of_tip, 0.0);
+    const std::vector<double> any = largest_K(input, nominal, grown);
+    std::vector<double> K_I = largest_K(input, opening, grown);
+    for (std::size_t t = 0; t < any.size(); ++t)
+        if (K_I[t] <= negligible * any[t]) K_I[t] = 0.0;
+    return K_I;
 }
 
 std::vector<double> least_K_I(const Case& input, const UnitResponse& nominal) {

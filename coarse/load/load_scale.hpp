@@ -68,9 +68,6 @@ std::vector<double> largest_K(const Case& input, const UnitResponse& nominal, do
 /// at its least). What they slide on the way back a trapezoid tells per increment.
 LoadSection graded_load(const Case& input, const UnitResponse& nominal);
 
-/// What the default distance of closure goes by: the K_I of largest_K; where nothing opens the crack, largest_K.
-std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal);
-
 /// The K_I of largest_K, MPa sqrt(mm), one per tip; 0 where nothing opens the crack.
 std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal, double grown = 0.0);
 

@@ -72,6 +72,24 @@ TEST_F(Check, SaysThatClosureIsLookedAtBesideTheFaces) {
     EXPECT_NE(text_of(folder / "log").find(warns), std::string::npos) << text_of(folder / "log");
 }
 
+// Of a crack that is hardly opened and turns at once the default distance of closure was a ten thousandth of what its K
+// asks for behind the turn, and advice went by that.
+TEST_F(Check, SaysWhatKIsBehindATurn) {
+    (void)said_of(1.25);
+    const auto said_with = [&](const char* tip) {
+        EXPECT_EQ(run_program("stria",
+                              {"check", folder / "case.toml", "--set", "growth.increment=0.5", "--set",
+                               std::string("crack.0.points=[[0.0,20.1],") + tip + "]"},
+                              folder / "log"),
+                  0);
+        return text_of(folder / "log");
+    };
+    const std::string turns = "as it grows it turns sharply at first: K_I = ";
+    const std::string straight = said_with("[5.0,20.1]"), steep = said_with("[3.0,28.0]");
+    EXPECT_EQ(straight.find(turns), std::string::npos) << straight;
+    EXPECT_NE(steep.find(turns), std::string::npos) << steep;
+}
+
 // A weld that has shrunk opens and shears the crack at its toe.
 TEST_F(Check, SaysTheKThatTheRunReaches) {
     const std::string joint = std::string(source_folder) + "/cases/t-joint/case.toml";

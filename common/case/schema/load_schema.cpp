@@ -277,8 +277,8 @@ Section<ClosureSection> closure_section() {
     s.value("distance", &ClosureSection::distance)
         .in("mm")
         .positive()
-        .or_else("of each tip a tenth of the radius of eq. (3) with beta = 1 and its largest K_I of the load history, "
-                 "as the crack begins; closure_distance of summary.json")
+        .or_else("of each tip a tenth of the radius of eq. (3) with beta = 1 and its largest K_I as the crack begins, "
+                 "or behind the sharp turn that it takes first; closure_distance of summary.json")
         .says("Contact nearer to the tip does not count; the opening is read there; tension is the mean over this "
               "distance ahead of the tip.");
     s.choice<OpeningDefinition>("definition", &ClosureSection::definition,
