@@ -15,6 +15,9 @@ struct Tip {
     int upper;
     double beyond = 0.0;  // arc length from there out to the tip; negative where they end ahead of it
     int material = 0;     // of the element that holds it (materials.hpp)
+
+    /// Where the faces end, on the straight line through the tip.
+    [[nodiscard]] Vec2 end_of_faces() const { return position - beyond * direction; }
 };
 
 /// Whether a tip has stayed where it was. Its direction is that from a point behind it, which a finer mesh may hold

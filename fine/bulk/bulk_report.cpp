@@ -82,15 +82,16 @@ double largest_plastic_increment(const Bulk& bulk) {
 }
 
 double force_ahead(const Bulk& bulk, const Tip& tip, double radius) {
-    const Vec2 normal(-tip.direction.y(), tip.direction.x());
+    constexpr double rounding = 1e-9;  // of the radius: points of squares lie on the sides of the sector
+    const Vec2 normal(-tip.direction.y(), tip.direction.x()), apex = tip.end_of_faces();
     double sum = 0.0;
     for (int e = 0; e < bulk.elements().count(); ++e) {
-        if (!bulk.elements().is_near(e, tip.position, radius)) continue;
+        if (!bulk.elements().is_near(e, apex, radius)) continue;
         const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
         for (std::size_t q = 0; q < points.size(); ++q) {
-            const Vec2 from_tip = points[q].x - tip.position;
-            const double along = from_tip.dot(tip.direction);
-            if (from_tip.norm() > radius || along < std::abs(from_tip.dot(normal))) continue;
+            const Vec2 from_end = points[q].x - apex;
+            const double along = from_end.dot(tip.direction) + rounding * radius;
+            if (from_end.norm() > radius || along < std::abs(from_end.dot(normal))) continue;
             sum += points[q].weight * normal.dot(in_plane(bulk.trial_stress(e, q)) * normal);
         }
     }

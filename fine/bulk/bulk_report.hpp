@@ -19,7 +19,8 @@ void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density, ElasticAns
 [[nodiscard]] double largest_plastic_increment(const Bulk& bulk);
 
 /// Integral of the normal stress, across the line ahead, over the sector of 45 degrees to either side within a radius
-/// (mm) of the tip, N; of the trial state.
+/// (mm) of where the faces end, N; of the trial state. From the tip itself it would be half an element of open faces,
+/// or lack as much of the metal ahead.
 [[nodiscard]] double force_ahead(const Bulk& bulk, const Tip& tip, double radius);
 
 /// Committed, point by point.

@@ -16,7 +16,7 @@ Resting may_rest(const Bulk& bulk, const ContactInterface& contact, const coupli
     for (int e = 0; e < may.size(); ++e) {
         if (std::ranges::any_of(bulk.elements().op(e).unknowns, bears_load)) may.erase(e);
         for (std::size_t t = 0; t < patch.ahead.size(); ++t)
-            if (bulk.elements().is_near(e, patch.mesh.tips[t].position, patch.ahead[t])) may.erase(e);
+            if (bulk.elements().is_near(e, patch.mesh.tips[t].end_of_faces(), patch.ahead[t])) may.erase(e);
     }
     MultiplierSet steady(contact.multipliers());
     for (int k = 0; k < steady.size(); ++k)

@@ -205,5 +205,38 @@ INSTANTIATE_TEST_SUITE_P(All, ElasticShares,
                                           testing::Values(EnergyDensity::StressWork, EnergyDensity::Elastic)),
                          name_of);
 
+/// A plate of squares that flows.
+class ForceAhead : public testing::Test {
+protected:
+    ForceAhead() { bulk.evaluate(random_vector(mesh.unknowns, 4e-3, 1)); }
+
+    [[nodiscard]] double of(const Tip& moved) const { return fine::force_ahead(bulk, moved, radius); }
+
+    static constexpr double radius = 1.2;
+    const Case scene = plate_case({{0.0, 2.0}, {2.0, 2.0}});
+    const EnrichedMesh mesh = plate_mesh(10, 10, scene);
+    const Tip& tip = mesh.tips.front();
+    Bulk bulk = make_bulk(mesh, scene);
+};
+
+// It began at the tip: up to half an element of open faces was in it, or as much of the metal ahead was not.
+TEST_F(ForceAhead, BeginsWhereTheFacesEnd) {
+    for (const double beyond : {-0.2, 0.13, 0.25}) {
+        Tip moved = tip;
+        moved.position += beyond * tip.direction;
+        moved.beyond += beyond;
+        EXPECT_NEAR(of(moved), of(tip), 1e-12 * std::abs(of(tip)));
+    }
+}
+
+// On squares points lie on the sides of the sector.
+TEST_F(ForceAhead, DoesNotHangOnTheLastDigitOfATip) {
+    for (const double sign : {-1.0, 1.0}) {
+        Tip moved = tip;
+        moved.position += sign * 1e-13 * tip.direction;
+        EXPECT_NEAR(of(moved), of(tip), 1e-12 * std::abs(of(tip)));
+    }
+}
+
 }  // namespace
 }  // namespace stria::test
