@@ -41,6 +41,31 @@ bool has_small_elements(const Mesh& mesh, const CrackPath& path, double part) {
     return (!path.tip_at_start || is_small(path.pieces.front())) && (!path.tip_at_end || is_small(path.pieces.back()));
 }
 
+[[noreturn]] void refuse_so_near(int crack, int other, const Vec2& place) {
+    throw CaseError(
+        fmt::format("crack {}: near ({:.6g}, {:.6g}) it is less than two elements from crack {}; use smaller elements",
+                    crack, place.x(), place.y(), other));
+}
+
+/// Faces that end on an edge have no functions about their tip which others would meet: two cracks that grow into each
+/// other would hang together by a node, and pass each other.
+void require_room_at_tips(const BodyMesh& mesh, const std::vector<CrackPath>& paths) {
+    std::vector<std::set<int>> nodes(paths.size());
+    for (std::size_t k = 0; k < paths.size(); ++k)
+        for (const CrackPiece& piece : paths[k].pieces) nodes[k].merge(tip_nodes(mesh, piece));
+    const auto look = [&](std::size_t k, const CrackPiece& piece) {
+        for (const int node : tip_nodes(mesh, piece))
+            for (std::size_t other = 0; other < paths.size(); ++other)
+                if (other != k && nodes[other].contains(node))
+                    refuse_so_near(static_cast<int>(std::max(k, other)), static_cast<int>(std::min(k, other)),
+                                   mesh->nodes[at(node)]);
+    };
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+        if (paths[k].tip_at_start) look(k, paths[k].pieces.front());
+        if (paths[k].tip_at_end) look(k, paths[k].pieces.back());
+    }
+}
+
 /// Sides and jumps of an element belong to one crack, and a node sees at most one tip.
 void require_one_crack(const EnrichedMesh& mesh, std::size_t element) {
     std::set<int> cracks;
@@ -50,12 +75,7 @@ void require_one_crack(const EnrichedMesh& mesh, std::size_t element) {
             const bool heaviside = term.kind == Term::Kind::Heaviside;
             cracks.insert(heaviside ? term.owner : mesh.tips[at(term.owner)].crack);
             const Vec2& x = mesh.nodes[at(node)];
-            if (cracks.size() > 1) {
-                throw CaseError(
-                    fmt::format("crack {}: near ({:.6g}, {:.6g}) it is less than two elements from crack {}; use "
-                                "smaller elements",
-                                *cracks.rbegin(), x.x(), x.y(), *cracks.begin()));
-            }
+            if (cracks.size() > 1) refuse_so_near(*cracks.rbegin(), *cracks.begin(), x);
             if (heaviside) continue;
             if (last_tip >= 0 && last_tip != term.owner) {
                 throw CaseError(
@@ -86,8 +106,10 @@ public:
             }))
             tip_enrichment_.functions = 0;
         result_.tip_functions = tip_enrichment_.functions;
-        for (CrackPath& path : paths)
-            if (tip_enrichment_.functions == 0) path = with_fronts_on_edges(mesh_, std::move(path));
+        if (tip_enrichment_.functions == 0) {
+            require_room_at_tips(mesh_, paths);
+            for (CrackPath& path : paths) path = with_fronts_on_edges(mesh_, std::move(path));
+        }
         if (paths.size() > 1 && tip_enrichment_.functions > 0 && tip_enrichment_.support == TipSupport::Gathered)
             for (const CrackPath& path : paths) wanted_.push_back(nodes_of_crack(mesh_, path));
         for (const CrackPath& path : paths) add_crack(path);

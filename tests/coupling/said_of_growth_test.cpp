@@ -42,6 +42,19 @@ TEST(SaidOfGrowth, NamesATipThatHasNoRoomAnyMoreOnce) {
     }
 }
 
+// They met in one node, at 9.8 and 10.2 mm of 20.
+TEST(SaidOfGrowth, EndsBeforeCracksWithoutFunctionsMeet) {
+    for (const double increment : {0.4, 0.5, 1.9}) {
+        Case input = approaching();
+        input.fine.enrichment = Enrichment::None;
+        input.growth->increment = increment;
+        input.load.blocks[0].cycles = 16;
+        const RunHistory run = run_direct(input);
+        EXPECT_EQ(notes_with(run.notes, "growth ends here: crack 1: near (10, ").size(), 1U) << increment;
+        EXPECT_LT(run.increments.back().tips[0].a, 9.8) << increment;
+    }
+}
+
 TEST(SaidOfGrowth, IsNotSaidAgainOfWhatWasSaidAtTheStart) {
     Case input = approaching();
     input.cracks[0].points[1].x() = 8.45;

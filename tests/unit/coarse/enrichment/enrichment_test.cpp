@@ -183,5 +183,21 @@ TEST(Enrichment, RefusesCracksAndTipsTooCloseForTheMesh) {
     EXPECT_NO_THROW(cracked(mesh, {{0.4, 0.4}, {0.7, 0.4}}));
 }
 
+// Functions of two tips meet in time. Where faces end on edges cracks grew into each other, hung together by a node,
+// passed each other, and the run ended with a crash of the coarse component (exit code 139).
+TEST(Enrichment, CracksWithoutFunctionsDoNotMeet) {
+    const auto with_tips_at = [](double left, double right) {
+        return coarse::enrich(BodyMesh(square_mesh(10)),
+                              {{.points = {{0.0, 0.5}, {left, 0.5}}, .contact = {}},
+                               {.points = {{1.0, 0.5}, {right, 0.5}}, .contact = {}}},
+                              {.functions = 0, .exponent = 0.5});
+    };
+    EXPECT_EQ(with_tips_at(0.4, 0.5).tips.size(), 2U) << "an element is between them";
+    for (const auto& [left, right] : {std::pair(0.5, 0.5), {0.46, 0.54}, {0.52, 0.48}, {0.8, 0.2}})
+        EXPECT_NE(test::refusal_of([&] { return with_tips_at(left, right); }).find("less than two elements from"),
+                  std::string::npos)
+            << left;
+}
+
 }  // namespace
 }  // namespace stria::test
