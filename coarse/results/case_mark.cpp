@@ -77,18 +77,27 @@ LoadSection load_of(const CaseMark& mark) {
     return load;
 }
 
-[[noreturn]] void refuse_history(int cycle) {
-    refuse(fmt::format("the load history is another one in cycle {}, which had begun when the checkpoint was written",
-                       cycle));
+[[noreturn]] void refuse_history(int cycle, const std::string& why = "") {
+    refuse(fmt::format("the load history is another one in cycle {}, which had begun when the checkpoint was written{}",
+                       cycle, why));
+}
+
+/// Where the cycle that comes next has another maximum: of a run that is made longer the one behind its end.
+std::string of_next_maximum(const Leg& then, const Leg& now) {
+    if (!then.ends_cycle || !now.ends_cycle || then.from != now.from || then.to == now.to) return "";
+    return fmt::format(": a cycle ends at the maximum of the next one, the last at its own, and it ended at {:g}, not "
+                       "{:g}; a cycle to {:g} between them leaves it as it was",
+                       then.to, now.to, then.to);
 }
 
 /// Up to and with the leg that the load is on.
 void compare_histories(const CaseMark& then, const CaseMark& now, std::size_t leg) {
     const std::vector<Leg> before = legs(load_of(then)), after = legs(load_of(now));
     for (std::size_t k = 0; k < std::min(leg + 1, before.size()); ++k) {
-        const bool same = k < after.size() && after[k].cycle == before[k].cycle && after[k].from == before[k].from &&
+        if (k >= after.size()) refuse_history(before[k].cycle);
+        const bool same = after[k].cycle == before[k].cycle && after[k].from == before[k].from &&
                           after[k].to == before[k].to && after[k].ends_cycle == before[k].ends_cycle;
-        if (!same) refuse_history(before[k].cycle);
+        if (!same) refuse_history(before[k].cycle, of_next_maximum(before[k], after[k]));
     }
 }
 

@@ -52,6 +52,22 @@ TEST_F(SameCase, IsNamedWhereItDiffers) {
     EXPECT_NE(against({"load.scale=2.0"}).find("in cycle 0"), std::string::npos);
 }
 
+// A run that is done is made longer by an overload: its last cycle would end at that, and nothing said why it is
+// another.
+TEST_F(SameCase, SaysWhereItsLastCycleEnds) {
+    const auto longer = [](const std::string& blocks) {
+        LoadPosition done;
+        done.leg = 4;  // at the end of the second cycle
+        return refusal_of([&] { check_same_case(mark(), mark({"load.blocks=[" + blocks + "]"}), done); });
+    };
+    const std::string same = "{cycles=2, max=50.0, ratio=-1.0}", peak = "{cycles=1, max=80.0, min=0.0}";
+    const std::string said = longer(same + "," + peak);
+    EXPECT_NE(said.find("in cycle 2, which"), std::string::npos) << said;
+    EXPECT_NE(said.find("it ended at 50, not 80; a cycle to 50 between them"), std::string::npos) << said;
+    EXPECT_EQ(longer(same + ", {cycles=1, max=50.0, ratio=0.0}," + peak), fine);
+    EXPECT_EQ(longer("{cycles=2, max=50.0, ratio=0.0}").find("it ended at"), std::string::npos);
+}
+
 // The way from where dead loads have moved the boundary has another end.
 TEST_F(SameCase, BeginsWithTheSameDisplacementBesideADeadLoad) {
     const auto begins_with = [](double max) {
