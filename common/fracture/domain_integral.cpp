@@ -147,7 +147,7 @@ void RingSums::add_mismatch(const IntegrationPoint& point, const Mandel& mismatc
 void RingSums::add_faces(const FaceStation& station, const FaceLoad& load) {
     const double forward = station.tangent.dot(tip_.direction);
     Tip end = tip_;
-    end.position -= tip_.beyond * tip_.direction;
+    end.position = tip_.end_of_faces();
     const auto auxiliary_slopes = [&](int mode) {
         const Eigen::Matrix2d jump = williams_field(mode, end, station.x, 1, elastic_).gradient -
                                      williams_field(mode, end, station.x, -1, elastic_).gradient;
