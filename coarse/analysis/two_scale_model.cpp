@@ -171,7 +171,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
 
 RingIntegrals TwoScaleModel::structure_integrals() {
     if (answers_in_proportion(body_.structure()))
-        return rings_->integrals_in_proportion(body_.structure(), factors_.main);
+        return rings_->integrals_in_proportion(body_.structure(), factors_.main, effort_.work.structure_solves_near);
     return rings_->integrals(equilibrium_->near_displacement());
 }
 

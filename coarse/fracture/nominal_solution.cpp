@@ -58,7 +58,8 @@ NominalSolution solve_nominal(std::unique_ptr<Structure> body) {
 }
 
 NominalSolution solve_nominal_near(std::unique_ptr<Structure> body, const ElementSet& for_K) {
-    NominalFields fields = fields_of(*body, near_displacement(*body, 1.0, 0.0));
+    std::int64_t found = 0;  // of the work of a nominal solution nobody tells
+    NominalFields fields = fields_of(*body, body->near_of_unit_load(found));
     StructureRings rings(body->elements(), StructureRings::forms_of(body->elements(), for_K));
     std::vector<TipResult> tips = with_other_loads(nominal_K(rings, fields.unit), rings, fields);
     return {nullptr, std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};

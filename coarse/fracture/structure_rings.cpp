@@ -17,12 +17,9 @@ RingIntegrals StructureRings::integrals(const Eigen::VectorXd& u) const {
     return integrals;
 }
 
-RingIntegrals StructureRings::integrals_in_proportion(const Structure& structure, double load_factor) {
-    if (!of_unit_load_) {
-        Eigen::VectorXd u = Eigen::VectorXd::Zero(structure.scene().enriched.unknowns);
-        structure.expand_near({}, 1.0, 0.0, u);
-        of_unit_load_ = integrals_of_displacement(u);
-    }
+RingIntegrals StructureRings::integrals_in_proportion(const Structure& structure, double load_factor,
+                                                      std::int64_t& found) {
+    if (!of_unit_load_) of_unit_load_ = integrals_of_displacement(structure.near_of_unit_load(found));
     RingIntegrals integrals = *of_unit_load_;
     for (std::vector<DomainIntegral>& of_tip : integrals)
         for (DomainIntegral& of_ring : of_tip) of_ring = of_ring.of_scaled(load_factor);

@@ -1,6 +1,7 @@
 // The ring forms of all tips of a structure.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,8 +33,9 @@ public:
     /// the whole mesh, mm; that of near elements is read.
     [[nodiscard]] RingIntegrals integrals(const Eigen::VectorXd& u) const;
     /// The same of a structure that answers in proportion to its load factor (proportion.hpp): at the factor 1 it is
-    /// looked at once.
-    [[nodiscard]] RingIntegrals integrals_in_proportion(const Structure& structure, double load_factor);
+    /// looked at once. `found`: as Structure::near_of_unit_load has it.
+    [[nodiscard]] RingIntegrals integrals_in_proportion(const Structure& structure, double load_factor,
+                                                        std::int64_t& found);
     /// The same of a displacement alone.
     [[nodiscard]] RingIntegrals integrals_of_displacement(const Eigen::VectorXd& u) const;
     /// Hands out what it consists of.

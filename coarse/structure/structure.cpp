@@ -128,6 +128,14 @@ void Structure::expand_below(Eigen::VectorXd on_rim, const LoadFactors& factors,
     impose(near_supports_, factors, u);
 }
 
+const Eigen::VectorXd& Structure::near_of_unit_load(std::int64_t& found) const {
+    if (!near_of_unit_load_) {
+        expand_near({}, 1.0, 0.0, near_of_unit_load_.emplace(Eigen::VectorXd::Zero(scene().enriched.unknowns)));
+        ++found;
+    }
+    return *near_of_unit_load_;
+}
+
 std::shared_ptr<const FarDisplacement> Structure::beside_near(const LoadFactors& factors, double initial,
                                                               Eigen::VectorXd& u) const {
     impose(scene().prescribed, factors, u);

@@ -3,7 +3,9 @@
 // comes last.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -76,7 +78,11 @@ public:
     Eigen::VectorXd expand_core(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors, double initial,
                                 Eigen::VectorXd& u) const;
 
-    /// What that has besides: supports are put into `u` at once.
+    /// On near elements at the load factor 1 of what has no zone, mm, zero elsewhere: found when it is first asked for.
+    /// `found`: counts that.
+    [[nodiscard]] const Eigen::VectorXd& near_of_unit_load(std::int64_t& found) const;
+
+    /// What the near displacement has besides: supports are put into `u` at once.
     [[nodiscard]] std::shared_ptr<const FarDisplacement> beside_near(const LoadFactors& factors, double initial,
                                                                      Eigen::VectorXd& u) const;
 
@@ -119,6 +125,7 @@ private:
     StackedLeaf leaf_;
     CondensedLoads loads_;
     std::vector<PrescribedUnknown> near_supports_;  // that near elements see
+    mutable std::optional<Eigen::VectorXd> near_of_unit_load_;
 };
 
 }  // namespace stria::coarse

@@ -17,18 +17,13 @@ const Eigen::VectorXd& ExpandedDisplacement::whole(const GammaState& state) cons
 const Eigen::VectorXd& ExpandedDisplacement::near(const GammaState& state) const {
     if (near_known_) return near_;
     if (answers_in_proportion(structure_)) {
-        if (!near_of_unit_load_) find_near({{}, 1.0}, near_of_unit_load_.emplace(near_));
-        near_ = state.load_factor * *near_of_unit_load_;
+        near_ = state.load_factor * structure_.near_of_unit_load(work_.structure_solves_near);
     } else {
-        find_near(state, near_);
+        structure_.expand_near(state.displacement, state.factors(), 1.0, near_);
+        ++work_.structure_solves_near;
     }
     near_known_ = true;
     return near_;
-}
-
-void ExpandedDisplacement::find_near(const GammaState& state, Eigen::VectorXd& u) const {
-    structure_.expand_near(state.displacement, state.factors(), 1.0, u);
-    ++work_.structure_solves_near;
 }
 
 DisplacementBesideFar ExpandedDisplacement::beside_far(const GammaState& state) const {

@@ -28,12 +28,9 @@ public:
     [[nodiscard]] const coupling::WorkCounts& work() const { return work_; }
 
 private:
-    void find_near(const GammaState& state, Eigen::VectorXd& u) const;
-
     const Structure& structure_;
     mutable std::optional<Eigen::VectorXd> whole_;
     mutable Eigen::VectorXd near_;
-    mutable std::optional<Eigen::VectorXd> near_of_unit_load_;  // of what answers in proportion
     mutable bool near_known_ = false;
     mutable coupling::WorkCounts work_;
 };

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/structure/proportion.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
@@ -38,14 +39,28 @@ TEST(StructureRings, OfABodyThatAnswersInProportionFollowFromThoseOfOneLoad) {
     const Structure structure(scene);
     ASSERT_TRUE(answers_in_proportion(structure));
     StructureRings rings(structure.elements());
+    std::int64_t solved = 0;
     for (const double load_factor : {-40.0, 1.0, 170.0}) {
-        const RingIntegrals found = rings.integrals_in_proportion(structure, load_factor);
+        const RingIntegrals found = rings.integrals_in_proportion(structure, load_factor, solved);
         const RingIntegrals expected = rings.integrals(structure.expand({}, load_factor));
         ASSERT_EQ(found.size(), expected.size());
         ASSERT_EQ(found[0].size(), expected[0].size());
         ASSERT_GT(std::abs(expected[0][0].interaction_II), 0.01 * std::abs(expected[0][0].interaction_I));
         for (std::size_t ring = 0; ring < expected[0].size(); ++ring) expect_alike(found[0][ring], expected[0][ring]);
     }
+    EXPECT_EQ(solved, 1);
+}
+
+// Of the nominal body, which is the structure where there is no zone, K is known: for rings nothing is solved again.
+TEST(StructureRings, ReadTheDisplacementOfTheNominalBody) {
+    const Scene scene = inclined_scene();
+    const NominalSolution nominal = solve_nominal_near(std::make_unique<Structure>(scene));
+    StructureRings rings(nominal.structure->elements());
+    std::int64_t solved = 0;
+    const RingIntegrals found = rings.integrals_in_proportion(*nominal.structure, 40.0, solved);
+    EXPECT_EQ(solved, 0);
+    EXPECT_EQ(nominal.fields.unit, nominal.structure->near_of_unit_load(solved));
+    EXPECT_NEAR(found[0][0].interaction_I / 40.0, rings.integrals(nominal.fields.unit)[0][0].interaction_I, 1e-9);
 }
 
 TEST(StructureRings, AnswerInProportionWithoutAZoneAndBesideNothingElse) {
