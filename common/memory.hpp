@@ -5,9 +5,14 @@
 
 namespace stria {
 
-/// Measured: an element with its unknowns and their factor, a point of the zone with its history and gradients, a cycle
-/// with the turns of its load.
-constexpr double bytes_of_element = 4000.0, bytes_of_point = 1500.0, bytes_of_cycle = 200.0;
+/// Measured (docs/performance.md, what `stria check` says of a run): an element with its unknowns and their factor,
+/// what an element of the zone takes besides, its operators and its share in the fronts, a point of it with its history
+/// and gradients, a cycle with the turns of its load.
+constexpr double bytes_of_element = 4000.0, bytes_of_zone_element = 15e3, bytes_of_point = 650.0,
+                 bytes_of_cycle = 200.0;
+/// Of the first, its share in the factor of the body, which growing cracks have twice: the next one is found while the
+/// last is still asked.
+constexpr double bytes_of_factor = 2400.0;
 /// The program itself, and what of its freed memory it keeps (keep_freed_memory()).
 constexpr double bytes_of_program = 60e6;
 

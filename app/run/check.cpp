@@ -18,8 +18,8 @@
 #include "coarse/growth/growth_increment.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/mesh_file/mesh_file.hpp"
-#include "coarse/zone/tip_refinement.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "coarse/zone/zone_size.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/case/schema/case_file.hpp"
 #include "common/memory.hpp"
@@ -132,9 +132,8 @@ void print_zone_estimate(const coarse::Scene& scene, const std::vector<double>& 
                        coarse::subdivision_radius(scene.input.fine.beta, K[t], yield_stress), K[t]);
         }
     }
-    const int elements = coarse::select_zone(scene, K).count();
-    const int subcells = subcells_elsewhere(scene.input.fine);
-    fmt::print("# zone: {} elements, about {:.0f} points\n", elements, 4.0 * subcells * subcells * elements);
+    const coarse::ZoneSize zone = coarse::size_of_zone(scene, coarse::select_zone(scene, K));
+    fmt::print("# zone: {:.0f} elements, {:.0f} points\n", zone.elements, zone.points);
 }
 
 /// Of growth, mm; where the program chooses it, what it may be at first: no less than an element at the tip.
@@ -153,29 +152,23 @@ double largest_increment(const coarse::Scene& scene, const coarse::NominalSoluti
     return largest;
 }
 
+/// Small elements follow the tips: what there will be of them.
+void print_way(const coarse::WorkEstimate& work, double increment) {
+    fmt::print(
+        "# growth: at most {:.4g} mm in {:.0f} steps; after it about {:.0f} elements, {:.0f} of them in the zone, "
+        "with {:.0f} points\n",
+        increment * work.growths, work.growths, work.at_end.all, work.at_end.elements, work.at_end.points);
+}
+
 void print_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
                     const std::vector<double>& K_I) {
-    const coarse::WorkEstimate work =
-        coarse::estimate_work(scene, nominal, K_I, largest_increment(scene, nominal, K_I));
+    const double increment = largest_increment(scene, nominal, K_I);
+    const coarse::WorkEstimate work = coarse::estimate_work(scene, nominal, K_I, increment);
+    if (scene.input.growth && needs_fine(scene.input)) print_way(work, increment);
     fmt::print(
         "# estimate of the run: {:.0f} increments, at most {:.0f} of {:.0f} points flow; about {:.2g} s of a processor "
         "and {:.2g} MB, to a factor of two or three; more where increments have to be halved\n",
         work.increments, work.yielding, work.points, work.seconds, 1e-6 * work.bytes);
-}
-
-/// Small elements follow the tips: what there will be of them.
-void print_way(const coarse::Scene& scene, const coarse::NominalSolution& nominal, const std::vector<double>& K_I) {
-    const Case& input = scene.input;
-    if (!input.growth || input.fine.refine == 1) return;
-    const int cycles = coarse::cycle_count(input.load);
-    const double way = largest_increment(scene, nominal, K_I) * (cycles / input.growth->every);
-    const coarse::ElementsOfAWay after = coarse::elements_after(scene, K_I, way);
-    const int subcells = subcells_elsewhere(input.fine);
-    const double points = 4.0 * subcells * subcells * after.split;
-    fmt::print("# growth: at most {:.4g} mm in {} cycles; after it about {} elements, {} of them split, {:.0f} points, "
-               "{:.0f} MB\n",
-               way, cycles, after.all, after.split, points,
-               1e-6 * (bytes_of_program + after.all * bytes_of_element + points * bytes_of_point));
 }
 
 }  // namespace
@@ -203,7 +196,6 @@ int check(const RunOptions& options) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
     } else {
         print_zone_estimate(scene, K);
-        print_way(scene, nominal, K);
     }
     print_estimate(scene, nominal, K);
     return 0;

@@ -5,6 +5,7 @@
 
 #include "coarse/elements/near_elements.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/model/rings.hpp"
 #include "coarse/zone/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
@@ -19,13 +20,17 @@ namespace {
 // return in parts of plane stress or of hardening that is not linear, or the exact one.
 constexpr double for_unknown = 12e-6, for_unknown_of_load = 0.5e-6, for_point = 0.13e-6, for_flow = 1.1e-6,
                  for_exact_flow = 0.4e-6, for_row = 0.3e-3, for_iteration = 0.3e-3;
+// A step of growth, and an element that is factored anew in it.
+constexpr double for_growth = 8e-3, for_factored_element = 18e-6;
+// An unknown near the tips in an increment: its displacement, rings and the guard. Nothing where all follows from the
+// load factor 1 (proportion.hpp): what is left is a row.
+constexpr double for_near_unknown = 0.5e-6, for_row_in_proportion = 0.08e-3;
 constexpr double for_factor = 0.9e-6;    // an unknown of the zone in an iteration, of fronts below which points flow
 constexpr double least_factored = 0.25;  // of them: faces move, and some flow is in many fronts
-// Of the body's seconds, for a step of growth: of an elastic body, and where the far body serves beside a zone.
-constexpr double of_set_up = 0.4, of_set_up_beside_zone = 0.2;
 // Chosen increments of a cycle that presses faces together: until its half cycles are measured, and then: 49 to 81.
 constexpr double compressed_at_first = 32.0, compressed_then = 60.0, until_measured = 4.0;
-constexpr double iterations = 4.0;  // of an increment; 2 to 4 in shipped cases, 6.5 with trials for four opening loads
+// Iterations of an increment: 3 to 4 in shipped cases, and of trials for the opening loads of each tip.
+constexpr double iterations = 3.4, iterations_for_tip = 0.6;
 constexpr double of_release = 7.0;  // iterations that open the faces of a growth, from one equilibrium to the next
 constexpr double evaluated = 0.4;   // of the points, in a mean iteration: others rest or are proven elastic
 
@@ -46,9 +51,13 @@ double value_on_way(const Case& input, const CaseHistories& histories, const Uni
 }
 
 /// Where the elastic body would yield.
-ElementSet yields(const NominalSolution& nominal) {
+struct Yielding {
+    ElementSet ever, usually;  // at some end of a half cycle, or in the first of them alone
+};
+
+Yielding yields(const NominalSolution& nominal) {
     const Scene& scene = nominal.structure->scene();
-    ElementSet found(scene.mesh->elements.size());
+    Yielding found{ElementSet(scene.mesh->elements.size()), ElementSet(scene.mesh->elements.size())};
     const double limit = scene.materials.weakest_yield_stress();
     if (!std::isfinite(limit)) return found;
     const CaseHistories histories(scene.input);
@@ -56,7 +65,7 @@ ElementSet yields(const NominalSolution& nominal) {
     const double scale = target_of_unit(scene.input.load, unit.K_I, 0.0);
     const bool is_moved = scene.input.load.control == Control::Displacement;
     const std::vector<Leg>& legs = histories.legs();
-    const auto look = [&](std::size_t leg, double way) {
+    const auto look = [&](std::size_t leg, double way, ElementSet& yielding) {
         const int increment = std::max(1, static_cast<int>(way * scene.input.load.first_steps() / 2));
         const double value = value_on_way(scene.input, histories, unit.displacement, leg, way);
         const Eigen::VectorXd of_cases =
@@ -64,13 +73,14 @@ ElementSet yields(const NominalSolution& nominal) {
         double factor = scale * value;
         if (is_moved) factor = legs[leg].leads ? 0.0 : unit.displacement.load_factor_at(value, of_cases);
         const Eigen::VectorXd u = nominal.structure->expand({}, {factor, of_cases}, 1.0);
-        for (const int element : elements_beyond(limit, *nominal.structure, u)) found.insert(element);
+        for (const int element : elements_beyond(limit, *nominal.structure, u)) yielding.insert(element);
     };
     for (std::size_t leg = 0; leg < std::min(legs.size(), most_legs); ++leg)
-        for (const double way : {0.5, 1.0}) look(leg, way);
+        for (const double way : {0.5, 1.0}) look(leg, way, found.usually);
+    found.ever = found.usually;
     for (const double sign : {1.0, -1.0}) {
         const auto largest = std::ranges::max_element(legs, {}, [&](const Leg& leg) { return sign * leg.to; });
-        if (largest != legs.end()) look(static_cast<std::size_t>(largest - legs.begin()), 1.0);
+        if (largest != legs.end()) look(static_cast<std::size_t>(largest - legs.begin()), 1.0, found.ever);
     }
     return found;
 }
@@ -131,6 +141,52 @@ double rim_of_body(const Scene& scene) {
     return 2.0 * of_both.count();
 }
 
+/// After so much of a tip's way what is far or in the middle is chosen and factored anew, mm (near_elements.cpp).
+double room_of_still_elements(const Scene& scene, double increment) {
+    constexpr double of_ring = 0.25, steps = 20.0;
+    double room = steps * increment;
+    for (int tip = 0; tip < std::ssize(scene.enriched.tips); ++tip)
+        room = std::min(room, of_ring * largest_ring_of_either_body(scene, tip));
+    return std::max(room, increment);
+}
+
+/// What a step of growth factors: elements of the core, and of the others where they are chosen anew.
+double elements_of_growth(const Scene& scene, const ElementSet& zone, double increment) {
+    const StillElements still = still_elements(scene, zone);
+    const double of_still = still.far.count() + still.middle.count(), core = zone.size() - zone.count() - of_still;
+    return core + of_still * increment / room_of_still_elements(scene, increment);
+}
+
+/// s, of an increment beside its iterations.
+double seconds_of_row(const Scene& scene, const ElementSet& zone) {
+    const bool is_in_proportion = zone.none() && scene.case_forces.empty() && !scene.initial_stress().any();
+    if (is_in_proportion) return for_row_in_proportion;
+    return for_row + for_near_unknown * 2.0 * (zone.size() - zone.count() - far_elements(scene, zone).count());
+}
+
+/// K half way of the growth over K now, of the tip where it grows most: no more than twice, for a life ends soon there.
+std::vector<double> K_half_way(const Scene& scene, const std::vector<double>& K, double way) {
+    constexpr double most = 2.0;
+    if (way <= 0.0 || !needs_fine(scene.input)) return K;
+    std::vector<double> half_way = K_after(scene, 0.5 * way);
+    if (half_way.size() != K.size()) return K;
+    for (std::size_t t = 0; t < K.size(); ++t) half_way[t] = std::min(half_way[t], most * K[t]);
+    return half_way;
+}
+
+/// What flows about a tip grows with the square of its radius, and elements with their distance.
+double flow_half_way(const std::vector<double>& K, const std::vector<double>& half_way) {
+    double more = 1.0;
+    for (std::size_t t = 0; t < K.size(); ++t)
+        if (K[t] > 0.0) more = std::max(more, std::pow(half_way[t] / K[t], 2));
+    return more;
+}
+
+double tips_that_touch(const Scene& scene) {
+    return static_cast<double>(std::ranges::count_if(
+        scene.enriched.tips, [&](const Tip& tip) { return may_touch(scene.input.cracks[at(tip.crack)]); }));
+}
+
 }  // namespace
 
 double seconds_of_body(const Scene& scene) {
@@ -149,26 +205,38 @@ double bytes_of_body(const Scene& scene) {
 WorkEstimate estimate_work(const Scene& scene, const NominalSolution& nominal, const std::vector<double>& K,
                            double increment) {
     const Case& input = scene.input;
-    const double per_element = 4.0 * subcells_elsewhere(input.fine) * subcells_elsewhere(input.fine);
-    const ElementSet yielding = yields(nominal);
+    const auto [yielding, usually] = yields(nominal);
     ElementSet zone = select_zone(scene, K);
-    for (int e = 0; e < zone.size(); ++e)
-        if (yielding.contains(e)) zone.insert(e);
+    zone |= yielding;
 
     WorkEstimate work;
-    work.points = per_element * zone.count();
+    const ZoneSize now = size_of_zone(scene, zone);
+    work.points = now.points;
+    const double per_element = 4.0 * std::pow(subcells_elsewhere(input.fine), 2);
     work.yielding = per_element * yielding.count();
     work.growths = growths_of(scene, nominal.tips, increment);
     double cycles = cycle_count(input.load);
     if (input.growth) cycles = std::min(cycles, (work.growths + 1.0) * input.growth->every);
     work.increments = increments_of(input, CaseHistories(input).legs(), cycles);
-    const double unknowns = 2.0 * work.points / per_element;  // an element has a node
-    const double iteration = seconds_of_iteration(work, unknowns, returns_exactly(input.material, input.model.plane));
-    const double of_growth = zone.none() ? of_set_up : of_set_up_beside_zone;
-    work.seconds = (2.0 + of_growth * work.growths) * seconds_of_body(scene) + work.increments * for_row +
-                   work.growths * for_unknown * unknowns +
-                   (work.increments * iterations + work.growths * of_release) * iteration;
-    work.bytes = bytes_of_program + bytes_of_body(scene) + bytes_of_point * work.points;
+    const double way = work.growths * increment;
+    const std::vector<double> half_way = K_half_way(scene, K, way);
+    work.at_end = zone.none() ? now : size_after(scene, zone, K, half_way, way);
+
+    WorkEstimate mean = work;
+    mean.points = 0.5 * (now.points + work.at_end.points);
+    mean.yielding = std::min(mean.points, per_element * usually.count() * flow_half_way(K, half_way));
+    const double unknowns = now.elements + work.at_end.elements;  // an element has a node
+    const double iteration = seconds_of_iteration(mean, unknowns, returns_exactly(input.material, input.model.plane));
+    const double of_increment = iterations + iterations_for_tip * tips_that_touch(scene);
+    work.seconds =
+        2.0 * seconds_of_body(scene) + work.increments * (seconds_of_row(scene, zone) + of_increment * iteration);
+    if (work.growths > 0.0)
+        work.seconds += work.growths * (for_growth + for_factored_element * elements_of_growth(scene, zone, increment) +
+                                        for_unknown * unknowns + of_release * iteration);
+    const bool has_two_factors = way > room_of_still_elements(scene, increment);
+    work.bytes = bytes_of_program + bytes_of_body(scene) + (has_two_factors ? bytes_of_factor * work.at_end.all : 0.0) +
+                 bytes_of_element * (work.at_end.all - now.all) + bytes_of_zone_element * work.at_end.elements +
+                 bytes_of_point * work.at_end.points;
     return work;
 }
 

@@ -71,14 +71,6 @@ ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>&
     return soon;
 }
 
-ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K, double way) {
-    std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K, Room::ToGrow);
-    for (std::size_t t = 0; t < disks.size(); ++t) disks[t].to += way * scene.enriched.tips[t].direction;
-    const Mesh mesh = refine(scene.mesh, disks).mesh;
-    const auto is_split = [](int level) { return level > 0; };
-    return {static_cast<int>(std::ssize(mesh.elements)), static_cast<int>(std::ranges::count_if(mesh.level, is_split))};
-}
-
 std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing,
                                           const ElementSet& flowed) {
     constexpr double size_to_distance = 0.25;

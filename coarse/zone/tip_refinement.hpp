@@ -28,13 +28,6 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
 [[nodiscard]] ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K,
                                                 const ElementSet& whole);
 
-/// How many elements small ones make of a scene's mesh once each tip has gone straight on by `way`, mm, and how many of
-/// them are split.
-struct ElementsOfAWay {
-    int all, split;
-};
-ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K, double way);
-
 /// One disk per tip as far as those elements reach that flow and belong to it (coupling/flow_shells.hpp), together with
 /// those that have flowed before: there no element is larger than a quarter of its distance from the tip. Flow
 /// elsewhere, under a load or at a hole, asks for no small elements.

@@ -115,8 +115,9 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K) {
     add_sectors_ahead(scene, closure_distances(scene.input.closure, K, yield_stress), zone);
     add_elements_that_jump(scene, zone);
     const int subcells = subcells_elsewhere(scene.input.fine);
-    const double points = 4.0 * subcells * subcells * zone.count();
-    require_memory(fmt::format("fine.subcells: a zone of {} points", points), points * bytes_of_point);
+    const double elements = zone.count(), points = 4.0 * subcells * subcells * elements;
+    require_memory(fmt::format("fine.subcells: a zone of {} points", points),
+                   elements * bytes_of_zone_element + points * bytes_of_point);
     return zone;
 }
 

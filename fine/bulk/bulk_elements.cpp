@@ -7,21 +7,11 @@
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
 #include "common/integration/moment_fit.hpp"
+#include "common/integration/zone_rule.hpp"
 
 namespace stria::fine {
 
 namespace {
-
-/// Where a tip may come to if it goes straight on, or nearly.
-bool lies_ahead_of_a_tip(const EnrichedMesh& mesh, int element) {
-    constexpr double beside = 1.5, behind = 2.0;  // of the element's diagonal
-    const double size = diagonal(mesh, element);
-    return std::ranges::any_of(mesh.tips, [&](const Tip& tip) {
-        const Vec2 from_tip = centre(mesh, element) - tip.position;
-        const double ahead = from_tip.dot(tip.direction);
-        return ahead > -behind * size && (from_tip - ahead * tip.direction).norm() < beside * size;
-    });
-}
 
 bool same_tie(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
     const TiedNode *a = mesh.tie(node), *b = other.tie(other_node);
@@ -62,7 +52,7 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
         if (auto points = known(e, cut)) {
             operators_.push_back(make_operator(mesh_, e, cut, own, std::move(*points)));
         } else {
-            if (cut == nullptr && !lies_ahead_of_a_tip(mesh_, e) && !ElementBasis(mesh_, e, false).singular())
+            if (cut == nullptr && !lies_on_way_of_a_tip(mesh_, e) && !ElementBasis(mesh_, e, false).singular())
                 own.subcells = rule.far_subcells.value_or(rule.subcells);
             operators_.push_back(make_operator(mesh_, e, cut, own));
         }

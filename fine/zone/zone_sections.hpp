@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "common/case/case.hpp"
-#include "common/case/case_questions.hpp"
-#include "common/integration/element_operator.hpp"
+#include "common/integration/zone_rule.hpp"
 #include "common/material/materials.hpp"
 
 namespace stria::fine {
@@ -15,14 +14,7 @@ struct ZoneSections {
         : materials(input), cracks(input.cracks), fine(input.fine), steps_per_cycle(input.load.steps),
           tolerance(input.solver.tolerance) {}
 
-    [[nodiscard]] IntegrationRule rule() const {
-        // Of elastic elements around a tip: points without a history, so that there may be many.
-        const bool dense = !materials.may_yield();
-        return {.subcells = subcells_at_crack(fine),
-                .far_subcells = subcells_elsewhere(fine),
-                .singular_gauss = dense ? 6 : 2,
-                .tip_points = dense ? 10 : 4};
-    }
+    [[nodiscard]] IntegrationRule rule() const { return zone_rule(fine, materials.may_yield()); }
 
     /// Plastic strain in an increment below which elements keep their elastic tangent. A wake flows a little over and
     /// over, and all fronts above it would be factored for that. What their own tangent would take off a residual is

@@ -36,15 +36,6 @@ TEST(TipRefinement, LeavesTheSceneOfATipAloneUntilItHasComeOn) {
     EXPECT_TRUE(asked);
 }
 
-TEST(TipRefinement, CountsWhatAWayTakes) {
-    const Scene scene = refined_scene(growing_plate());
-    const ElementsOfAWay none = elements_after(scene, K_of(scene), 0.0), two = elements_after(scene, K_of(scene), 2.0),
-                         four = elements_after(scene, K_of(scene), 4.0);
-    EXPECT_NEAR(none.all, static_cast<double>(scene.mesh->elements.size()), 0.03 * none.all);  // K of another mesh
-    EXPECT_GT(two.split, none.split);
-    EXPECT_NEAR(four.all - two.all, two.all - none.all, 0.25 * (two.all - none.all));
-}
-
 TEST(TipRefinement, ReachesWhatFlows) {
     const Scene scene = refined_scene(growing_plate());
     const Vec2 tip = scene.enriched.tips[0].position, place = tip + Vec2(3.0, 2.0);
