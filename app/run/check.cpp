@@ -15,7 +15,9 @@
 #include "coarse/fracture/halved_elements.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
+#include "coarse/fracture/turned_tip.hpp"
 #include "coarse/growth/growth_increment.hpp"
+#include "coarse/growth/growth_texts.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/mesh_file/mesh_file.hpp"
 #include "coarse/zone/zone_selection.hpp"
@@ -64,9 +66,16 @@ struct LargestK {
     double factor;  // of the load
     bool initial;   // the initial stress has a share
 
-    [[nodiscard]] std::string text(const coarse::TipResult& tip) const {
-        return fmt::format("K_I = {:.5g}, K_II = {:.5g}", tip.K_I * factor + tip.K_initial,
-                           tip.K_II * factor + tip.K_II_initial + 0.0);
+    /// K_I and K_II there, of those of the load factor 1 and of the initial stress.
+    [[nodiscard]] coarse::TipResult of(const coarse::TipResult& unit) const {
+        coarse::TipResult tip;
+        tip.K_I = unit.K_I * factor + unit.K_initial;
+        tip.K_II = unit.K_II * factor + unit.K_II_initial + 0.0;
+        return tip;
+    }
+    [[nodiscard]] std::string text(const coarse::TipResult& unit) const {
+        const coarse::TipResult tip = of(unit);
+        return fmt::format("K_I = {:.5g}, K_II = {:.5g}", tip.K_I, tip.K_II);
     }
 };
 
@@ -122,6 +131,20 @@ void print_K(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
                        "of its law times that: smaller elements about the crack (mesh.size, mesh.grading or the mesh "
                        "file)\n",
                        t, 100.0 * change);
+    }
+}
+
+/// Of tips that turn sharply with the first growth, by an increment that is given. Load cases aside.
+void print_turns(const coarse::Scene& scene, const coarse::NominalSolution& nominal, const coarse::UnitResponse& unit) {
+    const std::optional<GrowthSection>& growth = scene.input.growth;
+    if (!growth || growth->direction == GrowthDirection::Straight || growth->increment.is_auto()) return;
+    const LargestK K = at_largest_load(scene, unit);
+    for (std::size_t t = 0; t < nominal.tips.size(); ++t) {
+        const coarse::TipResult tip = K.of(nominal.tips[t]);
+        if (std::abs(coarse::hoop_stress_angle(tip.K_I, tip.K_II)) <= coarse::sharp_turn) continue;
+        const double element = coarse::tip_element_edge(scene.enriched, scene.enriched.tips[t]);
+        if (const auto warning = coarse::turns_sharply(t, growth->increment.value(), element))
+            fmt::print("# {}\n", *warning);
     }
 }
 
@@ -191,6 +214,7 @@ int check(const RunOptions& options) {
     const std::vector<double> K = coarse::largest_K(input, unit);
     for (const std::string& warning : coarse::case_warnings(scene, unit)) fmt::print("# warning: {}\n", warning);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
+    print_turns(scene, nominal, unit);
     print_K(scene, nominal, unit);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");

@@ -25,9 +25,6 @@ constexpr double least_for_K = 0.3;  // elements to another metal
 /// part counts against the distance.
 constexpr double elements_to_crack = 16.0, elements_without_functions = 40.0;
 
-/// Between a tip and a sharp bend, for J.
-constexpr double elements_for_J = least_for_J + elements_before_bend;
-
 /// What else a sharp bend takes, for the end of a sentence.
 std::string without_J(const Scene& scene, std::size_t tip, const char* to_what) {
     if (bends_leave_J(scene, static_cast<int>(tip))) return {};

@@ -154,7 +154,7 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     for (std::size_t t = 0; t < tips.size(); ++t) {
         if (std::abs(turn_of(tips[t], longer)) <= sharp_turn) continue;
         const double grows = (end_of(longer[at(tips[t].crack)], tips[t]) - tips[t].position).norm();
-        if (grows < elements_behind_bend * elements[t]) note_(turns_sharply(t, grows, elements[t]));
+        if (const auto warning = turns_sharply(t, grows, elements[t])) note_(*warning);
     }
 }
 

@@ -9,14 +9,23 @@
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/turned_tip.hpp"
 #include "coarse/model/crack_room.hpp"
+#include "coarse/model/rings.hpp"
 
 namespace stria::coarse {
 
-std::string turns_sharply(std::size_t tip, double grows, double element) {
-    return fmt::format(
-        "warning: tip {} turns sharply and grows by {:.3g} mm, less than {:g} elements of {:.3g} mm: its K "
-        "is not resolved until it is as far behind the bend, and its J is not told until it is twice as far",
-        tip, grows, elements_behind_bend, element);
+std::optional<std::string> turns_sharply(std::size_t tip, double grows, double element) {
+    const double elements = grows / element;
+    if (elements >= elements_for_J) return std::nullopt;
+    const std::string untold =
+        elements < elements_behind_bend
+            ? fmt::format("less than {:g} elements of {:.3g} mm: its K is not resolved until it is as far behind the "
+                          "bend, and its J is not told until it is {:g} elements behind it",
+                          elements_behind_bend, element, elements_for_J)
+            : fmt::format("{:.2g} elements of {:.3g} mm: its J is not told until it is {:g} elements behind the bend",
+                          elements, element, elements_for_J);
+    return fmt::format("warning: tip {} turns sharply and grows by {:.3g} mm, {}; steps of {:.3g} mm or more, or "
+                       "elements of {:.3g} mm or less, tell both",
+                       tip, grows, untold, elements_for_J * element, grows / elements_for_J);
 }
 
 std::string turns_at_end_of_edge(double angle, bool sharp) {

@@ -10,8 +10,9 @@
 
 namespace stria::coarse {
 
-/// A tip that `grows` by so much behind a sharp turn, less than elements_behind_bend of this edge, mm.
-[[nodiscard]] std::string turns_sharply(std::size_t tip, double grows, double element);
+/// A tip that `grows` by so much behind a sharp turn, less than elements_for_J of this edge, mm: what of it is not told
+/// there. Nothing where all is.
+[[nodiscard]] std::optional<std::string> turns_sharply(std::size_t tip, double grows, double element);
 
 /// A crack wants to turn by `angle`, radians, within an element edge along which it runs.
 [[nodiscard]] std::string turns_at_end_of_edge(double angle, bool sharp);

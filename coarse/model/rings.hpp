@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/model/scene.hpp"
 #include "common/fracture/ring_weights.hpp"
 
@@ -35,6 +36,9 @@ double largest_ring_of_one_metal(const Scene& scene, int tip);
 /// Elements across the radius of a ring of one metal, off sharp bends: in a smaller one J is off by one percent or
 /// more.
 inline constexpr double least_for_J = 2.0;
+
+/// So many elements behind a sharp bend J is told: from there on such a ring has room.
+inline constexpr double elements_for_J = least_for_J + elements_before_bend;
 
 /// Of the largest ring that J may be told from as far as other metals and sharp bends go, mm: it is not known across
 /// metals, nor near the corner of a bend. Infinite where there are none, negative next to a bend.

@@ -90,6 +90,25 @@ TEST_F(Check, SaysWhatKIsBehindATurn) {
     EXPECT_NE(steep.find(turns), std::string::npos) << steep;
 }
 
+// A crack of 45 degrees turns with its first growth: by elements of about 1.25 mm.
+TEST_F(Check, SaysWhereAFirstGrowthTurnsByTooLittleForJ) {
+    const std::string warns = "# warning: tip 0 turns sharply and grows by 3 mm, 2.4 elements of 1.25 mm: its J";
+    (void)said_of(1.25);
+    const auto said_with = [&](const char* growth) {
+        EXPECT_EQ(run_program("stria",
+                              {"check", folder / "case.toml", "--set", "crack.0.points=[[0.0,20.1],[5.1,25.2]]",
+                               "--set", growth},
+                              folder / "log"),
+                  0);
+        return text_of(folder / "log");
+    };
+    const std::string brief = said_with("growth={law='prescribed',increment=3.0}");
+    EXPECT_NE(brief.find(warns), std::string::npos) << brief;
+    EXPECT_EQ(said_with("growth={law='prescribed',increment=5.2}").find("turns sharply"), std::string::npos);
+    EXPECT_EQ(said_with("growth={law='prescribed',increment=3.0,direction='straight'}").find("turns sharply"),
+              std::string::npos);
+}
+
 // A weld that has shrunk opens and shears the crack at its toe.
 TEST_F(Check, SaysTheKThatTheRunReaches) {
     const std::string joint = std::string(source_folder) + "/cases/t-joint/case.toml";

@@ -47,6 +47,10 @@ double life(const RunHistory& run) {
     return N;
 }
 
+auto times_said(const RunHistory& run, const std::string& words) {
+    return std::ranges::count_if(run.notes, [&](const std::string& note) { return note.starts_with(words); });
+}
+
 // Two elements behind the turn K is 416 again; in the first of them it is below the threshold.
 TEST(TurnedTips, AreNotArrestedByAKThatIsNotResolved) {
     Case input = plate_with_turning_crack(0.5, 0);
@@ -54,6 +58,27 @@ TEST(TurnedTips, AreNotArrestedByAKThatIsNotResolved) {
     const RunHistory run = run_direct(input);
     EXPECT_TRUE(run.life_is_over);
     EXPECT_NEAR(run.increments.back().tips.at(0).a, 12.0, 1e-3);
+}
+
+// J is told from rings that end two elements before a sharp bend (docs/verification/elastic.md, "J behind a bend"): in
+// steps of 1.25 mm, two and a half elements, it was empty in the cycle behind the turn, and nothing said so.
+TEST(TurnedTips, SayWhereTheirJIsNotTold) {
+    Case input = plate_with_turning_crack(0.5, 0);
+    const auto has_J_behind_turn = [](const RunHistory& run) {
+        const auto behind = std::ranges::find_if(run.increments, [&](const Followed& increment) {
+            return increment.tips.at(0).a > run.increments.front().tips.at(0).a && increment.step.reversal;
+        });
+        return std::isfinite(behind->tips.at(0).J);
+    };
+    const std::string words = "warning: tip 0 turns sharply and grows by 1.25 mm, 2.";
+    input.growth->increment = 1.25;
+    const RunHistory brief = run_direct(input);
+    EXPECT_FALSE(has_J_behind_turn(brief));
+    EXPECT_EQ(times_said(brief, words), 1);
+    input.growth->increment = 2.1;
+    const RunHistory longer = run_direct(input);
+    EXPECT_TRUE(has_J_behind_turn(longer));
+    EXPECT_EQ(times_said(longer, "warning: tip 0 turns sharply"), 0);
 }
 
 // K_I was asked alone: with a threshold above it, or in pure shear where it is nothing but rounding, a crack stood that
@@ -87,10 +112,6 @@ RunHistory grown_from(double height, double increment, double shear) {
     RunHistory run = run_direct(input);
     EXPECT_NEAR(run.increments.back().tips.at(0).a, 7.4 + 3.0, 1e-6);
     return run;
-}
-
-auto times_said(const RunHistory& run, const std::string& words) {
-    return std::ranges::count_if(run.notes, [&](const std::string& note) { return note.starts_with(words); });
 }
 
 // A crack on the line of nodes y = 20, its tip within an edge, could never turn, and its growth ended at once; then it
