@@ -5,7 +5,6 @@
 
 #include "coarse/elements/near_elements.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
-#include "coarse/model/rings.hpp"
 #include "coarse/zone/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
@@ -141,20 +140,11 @@ double rim_of_body(const Scene& scene) {
     return 2.0 * of_both.count();
 }
 
-/// After so much of a tip's way what is far or in the middle is chosen and factored anew, mm (near_elements.cpp).
-double room_of_still_elements(const Scene& scene, double increment) {
-    constexpr double of_ring = 0.25, steps = 20.0;
-    double room = steps * increment;
-    for (int tip = 0; tip < std::ssize(scene.enriched.tips); ++tip)
-        room = std::min(room, of_ring * largest_ring_of_either_body(scene, tip));
-    return std::max(room, increment);
-}
-
 /// What a step of growth factors: elements of the core, and of the others where they are chosen anew.
 double elements_of_growth(const Scene& scene, const ElementSet& zone, double increment) {
     const StillElements still = still_elements(scene, zone);
     const double of_still = still.far.count() + still.middle.count(), core = zone.size() - zone.count() - of_still;
-    return core + of_still * increment / room_of_still_elements(scene, increment);
+    return core + of_still * increment / std::max(room_ahead(scene, zone), increment);
 }
 
 /// s, of an increment beside its iterations.
@@ -233,7 +223,7 @@ WorkEstimate estimate_work(const Scene& scene, const NominalSolution& nominal, c
     if (work.growths > 0.0)
         work.seconds += work.growths * (for_growth + for_factored_element * elements_of_growth(scene, zone, increment) +
                                         for_unknown * unknowns + of_release * iteration);
-    const bool has_two_factors = way > room_of_still_elements(scene, increment);
+    const bool has_two_factors = way > std::max(room_ahead(scene, zone), increment);
     work.bytes = bytes_of_program + bytes_of_body(scene) + (has_two_factors ? bytes_of_factor * work.at_end.all : 0.0) +
                  bytes_of_element * (work.at_end.all - now.all) + bytes_of_zone_element * work.at_end.elements +
                  bytes_of_point * work.at_end.points;

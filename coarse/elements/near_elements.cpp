@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/model/rings.hpp"
@@ -163,6 +164,27 @@ ElementSet others_without_tips(const EnrichedMesh& mesh, const StillElements& st
     return others;
 }
 
+/// With as much room ahead of the tips as the number of far elements is worth. `most`: with_room().
+struct ChosenFar {
+    ElementSet far;
+    double most;
+};
+
+ChosenFar choose_far(const Scene& scene, const ElementSet& in_zone) {
+    const NodeSet of_zone = nodes_of(scene.enriched, in_zone);
+    ChosenFar chosen;
+    for (const double most : {1.0, 0.5, 0.25}) {
+        NodeSet nodes = of_zone;
+        for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
+            add_neighbourhood(scene.mesh, scene.enriched.tips[at(t)], with_room(scene, t, of_zone, most), nodes);
+        ElementSet close = near_about(scene, in_zone, nodes);
+        if (close.none()) return {.far = ElementSet(in_zone.size()), .most = most};
+        chosen = {.far = (close |= in_zone).complement(), .most = most};
+        if (close.count() <= most_near * chosen.far.count()) break;
+    }
+    return chosen;
+}
+
 bool disjoint(const ElementSet& a, const ElementSet& b) {
     for (int e = 0; e < a.size(); ++e)
         if (a.contains(e) && b.contains(e)) return false;
@@ -184,18 +206,18 @@ ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const Ele
     if (known.size() == in_zone.size() && !known.none() && disjoint(known, in_zone) &&
         disjoint(known, near_elements(scene, in_zone)))
         return known;
-    const NodeSet of_zone = nodes_of(mesh, in_zone);
-    ElementSet far;
-    for (const double most : {1.0, 0.5, 0.25}) {
-        NodeSet nodes = of_zone;
-        for (int t = 0; t < std::ssize(mesh.tips); ++t)
-            add_neighbourhood(scene.mesh, mesh.tips[at(t)], with_room(scene, t, of_zone, most), nodes);
-        ElementSet close = near_about(scene, in_zone, nodes);
-        if (close.none()) return ElementSet(in_zone.size());
-        far = (close |= in_zone).complement();
-        if (close.count() <= most_near * far.count()) break;
-    }
-    return !in_zone.none() || spares_work(mesh, {}, far) ? far : ElementSet(in_zone.size());
+    const auto [far, most] = choose_far(scene, in_zone);
+    const bool serves = !far.none() && (!in_zone.none() || spares_work(mesh, {}, far));
+    return serves ? far : ElementSet(in_zone.size());
+}
+
+double room_ahead(const Scene& scene, const ElementSet& in_zone) {
+    const double most = choose_far(scene, in_zone).most;
+    const NodeSet of_zone = nodes_of(scene.enriched, in_zone);
+    double room = std::numeric_limits<double>::infinity();
+    for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
+        room = std::min(room, with_room(scene, t, of_zone, most).way);
+    return room;
 }
 
 StillElements still_elements(const Scene& scene, const ElementSet& in_zone, const StillElements& known) {

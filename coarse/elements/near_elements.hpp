@@ -19,6 +19,9 @@ ElementSet near_elements(const Scene& scene, const ElementSet& in_zone);
 /// more than they spare.
 ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& known = {});
 
+/// How far tips may go until they are chosen anew, mm, where cracks grow.
+double room_ahead(const Scene& scene, const ElementSet& in_zone);
+
 /// The same, and which of the near elements are in the middle: none where cracks do not grow, few would be, or the full
 /// matrix on their rim takes more than they spare. They stay for as long as all of them are near, the far ones stay,
 /// and none has to be in the core: where a crack changes its functions, or it touches the zone. Otherwise they are

@@ -16,8 +16,7 @@ namespace stria {
 [[nodiscard]] bool lies_on_way_of_a_tip(const EnrichedMesh& mesh, int element);
 
 /// The points that a zone places in an element, as long as none is known from before; nearly so where it has more than
-/// 8 x 8 sub-quadrangles. `cut`: the crack inside the
-/// element, or null.
+/// 8 x 8 sub-quadrangles. `cut`: the crack inside the element, or null.
 [[nodiscard]] int points_of_zone(const EnrichedMesh& mesh, int element, const CrackPiece* cut,
                                  const IntegrationRule& rule);
 
