@@ -14,7 +14,7 @@ constexpr double bytes_of_element = 4000.0, bytes_of_zone_element = 15e3, bytes_
 /// last is still asked.
 constexpr double bytes_of_factor = 2400.0;
 /// The program itself, and what of its freed memory it keeps (keep_freed_memory()).
-constexpr double bytes_of_program = 60e6;
+constexpr double bytes_of_program = 40e6;
 
 /// Bytes that this process may still take: what the machine has left, or less where a limit is set (ulimit -v).
 double available_memory();

@@ -21,9 +21,9 @@ constexpr double for_unknown = 12e-6, for_unknown_of_load = 0.5e-6, for_point = 
                  for_exact_flow = 0.4e-6, for_row = 0.3e-3, for_iteration = 0.3e-3;
 // A step of growth, and an element that is factored anew in it.
 constexpr double for_growth = 8e-3, for_factored_element = 18e-6;
-// An unknown near the tips in an increment: its displacement, rings and the guard. Nothing where all follows from the
-// load factor 1 (proportion.hpp): what is left is a row.
-constexpr double for_near_unknown = 0.5e-6, for_row_in_proportion = 0.08e-3;
+// An unknown near the tips in an increment: its displacement and rings, and beside a zone the guard. Nothing where all
+// follows from the load factor 1 (proportion.hpp): what is left without a zone is a row.
+constexpr double for_near_unknown = 0.5e-6, for_near_unknown_of_body = 0.2e-6, for_row_of_body = 0.04e-3;
 constexpr double for_factor = 0.9e-6;    // an unknown of the zone in an iteration, of fronts below which points flow
 constexpr double least_factored = 0.25;  // of them: faces move, and some flow is in many fronts
 // Chosen increments of a cycle that presses faces together: until its half cycles are measured, and then: 49 to 81.
@@ -150,8 +150,10 @@ double elements_of_growth(const Scene& scene, const ElementSet& zone, double inc
 /// s, of an increment beside its iterations.
 double seconds_of_row(const Scene& scene, const ElementSet& zone) {
     const bool is_in_proportion = zone.none() && scene.case_forces.empty() && !scene.initial_stress().any();
-    if (is_in_proportion) return for_row_in_proportion;
-    return for_row + for_near_unknown * 2.0 * (zone.size() - zone.count() - far_elements(scene, zone).count());
+    if (is_in_proportion) return for_row_of_body;
+    const double near_unknowns = 2.0 * (zone.size() - zone.count() - far_elements(scene, zone).count());
+    return zone.none() ? for_row_of_body + for_near_unknown_of_body * near_unknowns
+                       : for_row + for_near_unknown * near_unknowns;
 }
 
 /// K half way of the growth over K now, of the tip where it grows most: no more than twice, for a life ends soon there.
@@ -223,7 +225,8 @@ WorkEstimate estimate_work(const Scene& scene, const NominalSolution& nominal, c
     if (work.growths > 0.0)
         work.seconds += work.growths * (for_growth + for_factored_element * elements_of_growth(scene, zone, increment) +
                                         for_unknown * unknowns + of_release * iteration);
-    const bool has_two_factors = way > std::max(room_ahead(scene, zone), increment);
+    const bool has_two_factors =
+        way > std::max(room_ahead(scene, zone), increment) || (way > 0.0 && far_elements(scene, zone).none());
     work.bytes = bytes_of_program + bytes_of_body(scene) + (has_two_factors ? bytes_of_factor * work.at_end.all : 0.0) +
                  bytes_of_element * (work.at_end.all - now.all) + bytes_of_zone_element * work.at_end.elements +
                  bytes_of_point * work.at_end.points;

@@ -207,6 +207,18 @@ TEST_F(Work, KeepsWhatTheCracksLeaveBehind) {
     EXPECT_GT(between(60.0, 0.0, 20).bytes, 1.01 * between(60.0, 0.0, 1).bytes);
 }
 
+// Of a body that answers in proportion an increment is a row; load cases ask for displacements and rings.
+TEST_F(Work, OfACycleThatFollowsFromTheUnitLoadIsNextToNothing) {
+    input.material.yield_stress.reset();
+    input.load.steps = 2;
+    const auto of_a_cycle = [&] { return (between(20.0, 0.0, 1000).seconds - between(20.0, 0.0, 1).seconds) / 999.0; };
+    const double in_proportion = of_a_cycle();
+    input.load_cases = {dead_load("dead", 1.0)};
+    input.boundaries.push_back(pulled_in_case("dead", "top", {0.0, 1.0}));
+    input.boundaries.push_back(pulled_in_case("dead", "bottom", {0.0, -1.0}));
+    EXPECT_GT(of_a_cycle(), 3.0 * in_proportion);
+}
+
 TEST_F(Work, KeepsTheTurnsOfAllCycles) {
     input.load.blocks = {{.cycles = 1, .max = 1.0, .min = 0.0}};
     const auto bytes = [&] {
