@@ -104,8 +104,8 @@ TEST_F(Check, SaysWhereAFirstGrowthTurnsByTooLittleForJ) {
     };
     const std::string brief = said_with("growth={law='prescribed',increment=3.0}");
     EXPECT_NE(brief.find(warns), std::string::npos) << brief;
-    EXPECT_EQ(said_with("growth={law='prescribed',increment=5.2}").find("turns sharply"), std::string::npos);
-    EXPECT_EQ(said_with("growth={law='prescribed',increment=3.0,direction='straight'}").find("turns sharply"),
+    EXPECT_EQ(said_with("growth={law='prescribed',increment=5.2}").find("turns sharply and grows"), std::string::npos);
+    EXPECT_EQ(said_with("growth={law='prescribed',increment=3.0,direction='straight'}").find("turns sharply and grows"),
               std::string::npos);
 }
 
