@@ -107,7 +107,7 @@ public:
             tip_enrichment_.functions = 0;
         result_.tip_functions = tip_enrichment_.functions;
         if (tip_enrichment_.functions == 0) {
-            require_room_at_tips(mesh_, paths);
+            if (paths.size() > 1) require_room_at_tips(mesh_, paths);
             for (CrackPath& path : paths) path = with_fronts_on_edges(mesh_, std::move(path));
         }
         if (paths.size() > 1 && tip_enrichment_.functions > 0 && tip_enrichment_.support == TipSupport::Gathered)
