@@ -18,6 +18,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+import long_spectrum
+
 ROOT = Path(__file__).resolve().parent.parent
 SHORT_BLOCK = "load.blocks=[{cycles=8,max=501.0,ratio=-1.0}]"
 GROWING = ROOT / "bench/growing_cycle/case.toml"
@@ -74,15 +76,7 @@ growth = { law = "paris", C = 3e-13, m = 3.0, increment = 0.1 }
 fine = { refine = 8 }
 load = { blocks = [ { cycles = 12, max = 80.0, ratio = 0.0 } ] }
 """
-SPECTRUM = """
-units = "N-mm-MPa"
-mesh = { specimen = "sent", width = 50.0, height = 200.0, size = 1.0 }
-material = { young = 200e3, poisson = 0.3 }
-crack = [ { points = [[0.0, 100.3], [10.0, 100.3]] } ]
-boundary = [ { on = "top", traction = [0.0, 1.0] }, { on = "bottom", displacement = ["free", 0.0] } ]
-growth = { law = "paris", C = 3e-13, m = 3.0, increment = 0.5, every = 500 }
-load = { steps = 2, spectrum = "spectrum.csv", repeat = 20 }
-"""
+SPECTRUM = long_spectrum.CASE % (500, 20)
 TWO_HOLES = """
 units = "N-mm-MPa"
 mesh = { file = "two-holes.msh" }

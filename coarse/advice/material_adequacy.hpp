@@ -14,8 +14,8 @@ namespace stria::coarse {
 std::vector<std::string> material_warnings(const Case& input);
 
 /// One sentence where a law of dK gives a rate that no crack has, most are printed for m/cycle or MPa sqrt(m); where it
-/// lets no tip grow; or where its table ends before. `K`: of the cycles that growth is made of (common_K_I), and
-/// `largest_K`: of all, MPa sqrt(mm), one per tip.
+/// lets no tip grow; or where its table ends before. `K`: of the cycles that growth is made of (common_K_behind_turns),
+/// and `largest_K`: of all, MPa sqrt(mm), one per tip.
 std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K,
                                        const std::vector<double>& largest_K);
 

@@ -13,7 +13,7 @@ namespace stria::coarse {
 
 /// What the mesh serves or not. One number per tip; nothing is said of openings where nobody looks at them.
 struct MeshDemands {
-    std::vector<double> K_I = {};       // of the cycles that opening loads are asked of (common_K_I), MPa sqrt(mm)
+    std::vector<double> K_I = {};       // that opening loads are asked of (common_K_behind_turns), MPa sqrt(mm)
     std::vector<double> distance = {};  // of closure (closure_distances), mm
     std::vector<double> radius = {};    // of the largest ring, mm
 };

@@ -21,8 +21,8 @@ namespace stria::coarse {
 ///
 /// Of a tip about which nothing flows: it grows between faces that may touch, and leaves functions behind.
 ///
-/// `K_I`, MPa sqrt(mm): of the cycles that opening loads are asked of (common_K_I). `distance`, mm: of closure.
-/// `missing`: how often the element at the tip ought to have been split and is not (levels_missing).
+/// `K_I`, MPa sqrt(mm): of the cycles that opening loads are asked of (common_K_behind_turns). `distance`, mm: of
+/// closure. `missing`: how often the element at the tip ought to have been split and is not (levels_missing).
 [[nodiscard]] std::vector<MeshDoubt> doubts_of_openings(const Scene& scene, std::size_t tip, double K_I,
                                                         double distance, int missing);
 

@@ -5,6 +5,7 @@
 
 #include "coarse/elements/near_elements.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/structure/proportion.hpp"
 #include "coarse/zone/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
@@ -149,8 +150,7 @@ double elements_of_growth(const Scene& scene, const ElementSet& zone, double inc
 
 /// s, of an increment beside its iterations.
 double seconds_of_row(const Scene& scene, const ElementSet& zone) {
-    const bool is_in_proportion = zone.none() && scene.case_forces.empty() && !scene.initial_stress().any();
-    if (is_in_proportion) return for_row_of_body;
+    if (zone.none() && has_one_load(scene)) return for_row_of_body;
     const double near_unknowns = 2.0 * (zone.size() - zone.count() - far_elements(scene, zone).count());
     return zone.none() ? for_row_of_body + for_near_unknown_of_body * near_unknowns
                        : for_row + for_near_unknown * near_unknowns;

@@ -5,11 +5,14 @@
 
 namespace stria::coarse {
 
-/// One load alone acts on it, and no zone or initial stress: its displacement is the load factor times that of the
-/// factor 1.
+/// One load alone acts on a body, and no initial stress.
+[[nodiscard]] inline bool has_one_load(const Scene& scene) {
+    return scene.case_forces.empty() && !scene.initial_stress().any();
+}
+
+/// That, and no zone: its displacement is the load factor times that of the factor 1.
 [[nodiscard]] inline bool answers_in_proportion(const Structure& structure) {
-    const Scene& scene = structure.scene();
-    return structure.gamma().empty() && scene.case_forces.empty() && !scene.initial_stress().any();
+    return structure.gamma().empty() && has_one_load(structure.scene());
 }
 
 }  // namespace stria::coarse
