@@ -13,6 +13,7 @@
 
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/substructure/bundles.hpp"
 
 namespace stria {
 namespace {
@@ -44,56 +45,6 @@ double distance_along_axes(const std::vector<Vec2>& from, const Vec2& x) {
     for (const Vec2& place : from) least = std::min(least, (x - place).lpNorm<Eigen::Infinity>());
     return least;
 }
-
-/// Unknowns that stand beside each other wherever one of them is, as those of a node do, are in the same elements:
-/// they are counted as one.
-class Bundles {
-public:
-    explicit Bundles(const FrontLayout& layout)
-        : before_(at(layout.unknowns), unseen), after_(before_), size_(at(layout.unknowns)) {
-        for (const std::vector<int>& unknowns : layout.element_unknowns) see(unknowns);
-        first_.reserve(layout.element_unknowns.size() + 1);
-        for (const std::vector<int>& unknowns : layout.element_unknowns) bundle(unknowns);
-    }
-
-    /// Of an element, each by the first of its unknowns.
-    [[nodiscard]] std::span<const int> of(int element) const {
-        return std::span(of_elements_).subspan(first_[at(element)], first_[at(element) + 1] - first_[at(element)]);
-    }
-    /// How many unknowns.
-    [[nodiscard]] int size(int bundle) const { return size_[at(bundle)]; }
-
-private:
-    static constexpr int unseen = -2, changing = -1;
-
-    void see(std::span<const int> unknowns) {
-        const auto note = [](int& neighbour, int now) {
-            neighbour = neighbour == unseen || neighbour == now ? now : changing;
-        };
-        for (std::size_t k = 0; k < unknowns.size(); ++k) {
-            note(before_[at(unknowns[k])], k > 0 ? unknowns[k - 1] : changing);
-            note(after_[at(unknowns[k])], k + 1 < unknowns.size() ? unknowns[k + 1] : changing);
-        }
-    }
-
-    void bundle(std::span<const int> unknowns) {
-        for (std::size_t k = 0, begin = 0; k < unknowns.size(); ++k) {
-            const int before = before_[at(unknowns[k])];
-            const bool joins = before >= 0 && after_[at(before)] == unknowns[k];
-            if (!joins) {
-                begin = k;
-                of_elements_.push_back(unknowns[k]);
-            }
-            size_[at(unknowns[begin])] = static_cast<int>(k - begin) + 1;
-        }
-        first_.push_back(of_elements_.size());
-    }
-
-    std::vector<int> before_, after_;  // of each unknown, its neighbour in all elements
-    std::vector<int> size_;
-    std::vector<std::size_t> first_{0};  // of each element, and behind the last
-    std::vector<int> of_elements_;
-};
 
 /// All elements, sorted by their coordinates in each direction. Those of a group stand together, in all directions.
 class SortedElements {
@@ -183,18 +134,8 @@ public:
         nodes_.reserve(4 * layout.centres.size() / at(layout.leaf_elements));
     }
 
-    /// What lies about the busy places comes first, so that the way from there to the root is short however many the
-    /// others are: squares, whose rims are short.
     std::vector<PartOfElements> nodes() && {
-        constexpr std::size_t about_each = 128;  // elements at most: docs/performance.md
-        const Group all = elements_.all();
-        const std::size_t near = about_each * layout_.busy.size();
-        const std::size_t first =
-            near > 0 && all.size() >= 2 * near
-                ? elements_.cut(all, {about_busy_places, coordinate_of(near, all, about_busy_places)})
-                : 0;
-        const int others = split(all.behind(first));
-        if (first > 0) add({.children = {others, split(all.first(first))}, .elements = {}});
+        split_between(elements_.all(), layout_.busy);
         return std::move(nodes_);
     }
 
@@ -202,6 +143,38 @@ private:
     int add(PartOfElements node) {
         nodes_.push_back(std::move(node));
         return static_cast<int>(nodes_.size()) - 1;
+    }
+
+    /// Planes between busy places part all elements first: what changes about one of them passes by no other on its way
+    /// to the root.
+    int split_between(Group group, const std::vector<Vec2>& busy) {
+        Cut best;
+        for (const int direction : {0, 1}) {
+            std::vector<double> coordinates;
+            for (const Vec2& place : busy) coordinates.push_back(place[direction]);
+            std::ranges::sort(coordinates);
+            for (std::size_t next = 1; next < coordinates.size(); ++next)
+                look_between(direction, group, coordinates[next - 1], coordinates[next], best);
+        }
+        if (best.direction < 0) return split_about(group);
+        const std::size_t first = elements_.cut(group, best);
+        std::array<std::vector<Vec2>, 2> sides;
+        for (const Vec2& place : busy) sides[place[best.direction] < best.plane ? 0 : 1].push_back(place);
+        const int below = split_between(group.first(first), sides[0]);
+        const int above = split_between(group.behind(first), sides[1]);
+        return add({.children = {below, above}, .elements = {}});
+    }
+
+    /// What lies about a busy place comes first, so that the way from there to the root is short however many the
+    /// others are: a square, whose rim is short.
+    int split_about(Group group) {
+        constexpr std::size_t near = 128;  // elements at most: docs/performance.md
+        const std::size_t first =
+            elements_.know(about_busy_places) && group.size() >= 2 * near
+                ? elements_.cut(group, {about_busy_places, coordinate_of(near, group, about_busy_places)})
+                : 0;
+        const int others = split(group.behind(first));
+        return first > 0 ? add({.children = {others, split(group.first(first))}, .elements = {}}) : others;
     }
 
     int split(Group group) {
@@ -229,12 +202,15 @@ private:
         return elements_.coordinate(direction, elements_.of(group, direction)[which]);
     }
 
-    /// A cut is cheap where the parts share few unknowns and neither is much smaller than the other. Planes at round
-    /// numbers, of equal ones the roundest, mostly stay where they are when elements come and go.
     void look_across(int direction, Group group, Cut& best) {
         const std::size_t quarter = group.size() / 4;
-        const double low = coordinate_of(quarter, group, direction),
-                     high = coordinate_of(group.size() - 1 - quarter, group, direction);
+        look_between(direction, group, coordinate_of(quarter, group, direction),
+                     coordinate_of(group.size() - 1 - quarter, group, direction), best);
+    }
+
+    /// A cut is cheap where the parts share few unknowns and neither is much smaller than the other. Planes at round
+    /// numbers, of equal ones the roundest, mostly stay where they are when elements come and go.
+    void look_between(int direction, Group group, double low, double high, Cut& best) {
         if (!(low < high)) return;
         constexpr int eight_or_more = 3, digits = 50;  // planes, digits of their numbers: as powers of two
         const int finest = std::ilogb(std::max(std::abs(low), std::abs(high))) - digits;
@@ -246,6 +222,7 @@ private:
         for (int plane = 0; plane < planes; ++plane) {
             shared += between_[at(plane)].unknowns;
             below += between_[at(plane)].elements;
+            if (below == 0 || at(below) == group.size()) continue;
             best = std::min(best, cut_at(direction, before + 1.0 + plane, step, shared, below, group.size()));
         }
     }

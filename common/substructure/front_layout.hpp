@@ -12,7 +12,7 @@ struct FrontLayout {
     int multipliers = 0;                             // the last so many of them: Lagrange multipliers
     std::vector<std::vector<int>> element_unknowns;  // per element, the order of its matrix
     std::vector<Vec2> centres;                       // per element, mm: what is bisected
-    std::vector<Vec2> busy;                          // places about which elements change all the time, mm
+    std::vector<Vec2> busy;                          // centres about which elements change all the time, mm
     std::vector<int> boundary;                       // unknowns kept to the root, in this order
     int leaf_elements = 12;
 };

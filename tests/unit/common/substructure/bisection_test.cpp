@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -89,6 +90,37 @@ TEST(Bisection, PartsASquareAboutABusyPlace) {
     const std::vector<int> near = elements_under(nodes, nodes.back().children[1]);
     EXPECT_EQ(near.size(), 121U);
     for (const int e : near) EXPECT_LE((layout.centres[at(e)] - layout.busy[0]).lpNorm<Eigen::Infinity>(), 5.0);
+}
+
+// A front that waits for both squares would keep the rims of both, and be factored whenever one changes.
+TEST(Bisection, PartsBusyPlacesFromEachOtherBeforeWhatLiesAboutThem) {
+    for (const int columns_between : {0, 60}) {  // joined, apart
+        FrontLayout layout;
+        std::map<std::pair<int, int>, int> corners;
+        const int second = 30 + columns_between;
+        add_block(layout, corners, 0, 0, 30, 20);
+        add_block(layout, corners, second, 0, 30, 20);
+        layout.busy = {Vec2(second + 14.5, 9.5), Vec2(14.5, 9.5)};
+        const std::vector<PartOfElements> nodes = bisect(layout);
+        for (const double x : {14.5, second + 14.5}) {
+            const std::array<int, 2> sides = nodes.back().children;
+            const int side = sides[x < second ? 0 : 1];
+            const std::vector<int> near = elements_under(nodes, nodes[at(side)].children[1]);
+            EXPECT_EQ(near.size(), 121U);
+            for (const int e : near) EXPECT_LE((layout.centres[at(e)] - Vec2(x, 9.5)).lpNorm<Eigen::Infinity>(), 5.0);
+        }
+    }
+}
+
+// As tips have that came to lie in one element.
+TEST(Bisection, CopesWithBusyPlacesThatAreOne) {
+    FrontLayout layout;
+    std::map<std::pair<int, int>, int> corners;
+    add_block(layout, corners, 0, 0, 40, 40);
+    layout.busy = {Vec2(17.5, 20.5)};
+    const std::set<Leaf> once = leaves(layout);
+    layout.busy.push_back(layout.busy.front());
+    EXPECT_EQ(leaves(layout), once);
 }
 
 TEST(Bisection, HoldsEachElementOnceInLeavesThatAreNeitherTooLargeNorNearlyEmpty) {
