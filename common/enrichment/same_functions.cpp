@@ -19,6 +19,11 @@ bool same_tie(const TiedNode& a, const TiedNode& b) {
     return a.node == b.node && a.ends == b.ends && a.side == b.side && a.jump_tied == b.jump_tied;
 }
 
+/// What tip_polar() reads of a tip.
+bool same_frame(const Tip& a, const Tip& b) {
+    return a.position == b.position && a.direction == b.direction && a.upper == b.upper;
+}
+
 bool same_piece(const CrackPiece& a, const CrackPiece& b) {
     return a.crack == b.crack && a.element == b.element && a.neighbour == b.neighbour && a.points == b.points &&
            a.entry == b.entry && a.exit == b.exit;
@@ -26,8 +31,12 @@ bool same_piece(const CrackPiece& a, const CrackPiece& b) {
 
 }  // namespace
 
-bool same_jumps(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
-    return !mesh.has_tip_functions(node) && same_terms(mesh.terms[at(node)], other.terms[at(other_node)]);
+bool same_functions_at(int node, const EnrichedMesh& mesh, int other_node, const EnrichedMesh& other) {
+    const std::vector<Term>& own = mesh.terms[at(node)];
+    const auto stands = [&](const Term& term) {
+        return term.kind == Term::Kind::Heaviside || same_frame(mesh.tip_of(term), other.tip_of(term));
+    };
+    return same_terms(own, other.terms[at(other_node)]) && std::ranges::all_of(own, stands);
 }
 
 bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other) {

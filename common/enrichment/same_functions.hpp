@@ -6,8 +6,8 @@
 
 namespace stria {
 
-/// Of a node of each mesh: the same jumps, and no function of a tip.
-[[nodiscard]] bool same_jumps(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node);
+/// Of a node of each mesh: the same functions, and those of tips are of tips that stand as they did, to the last bit.
+[[nodiscard]] bool same_functions_at(int node, const EnrichedMesh& mesh, int other_node, const EnrichedMesh& other);
 
 /// The same elements with the same functions, whatever the places of the tips and the arc lengths: none of the
 /// functions is a tip's.

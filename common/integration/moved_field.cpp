@@ -67,7 +67,8 @@ private:
 
 /// Whether two nodes have the same functions: none that follow others, and at most one jump.
 bool have_same_functions(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
-    return mesh.terms[at(node)].size() < 2 && same_jumps(mesh, node, other, other_node) && mesh.tie(node) == nullptr &&
+    return mesh.terms[at(node)].size() < 2 && !mesh.has_tip_functions(node) &&
+           same_functions_at(node, mesh, other_node, other) && mesh.tie(node) == nullptr &&
            other.tie(other_node) == nullptr;
 }
 

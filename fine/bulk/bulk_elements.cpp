@@ -17,7 +17,8 @@ bool same_tie(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int
     const TiedNode *a = mesh.tie(node), *b = other.tie(other_node);
     if (a == nullptr || b == nullptr) return a == b;
     const auto same_end = [&](int end, int other_end) {
-        return mesh.node_ids[at(end)] == other.node_ids[at(other_end)] && same_jumps(mesh, end, other, other_end);
+        return mesh.node_ids[at(end)] == other.node_ids[at(other_end)] &&
+               same_functions_at(end, mesh, other_end, other);
     };
     return a->side == b->side && a->jump_tied == b->jump_tied && std::ranges::equal(a->ends, b->ends, same_end);
 }
@@ -82,9 +83,11 @@ const CrackPiece* BulkElements::cut_of(int element) const { return mesh_.piece(p
 bool BulkElements::stays(const BulkElements& later, int element, int own) const {
     const CrackPiece *before = cut_of(own), *now = later.cut_of(element);
     const bool same_cut = before != nullptr && now != nullptr ? before->points == now->points : before == now;
-    if (!same_cut || mesh_.element_side[at(own)] != later.mesh_.element_side[at(element)]) return false;
+    if (!same_cut || mesh_.element_side[at(own)] != later.mesh_.element_side[at(element)] ||
+        branch_side(mesh_, own) != branch_side(later.mesh_, element))
+        return false;
     const auto same = [&](int old_node, int node) {
-        return same_jumps(mesh_, old_node, later.mesh_, node) && same_tie(mesh_, old_node, later.mesh_, node);
+        return same_functions_at(old_node, mesh_, node, later.mesh_) && same_tie(mesh_, old_node, later.mesh_, node);
     };
     return std::ranges::equal(mesh_.elements[at(own)], later.mesh_.elements[at(element)], same);
 }

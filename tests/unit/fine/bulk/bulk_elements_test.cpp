@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/enrichment/element_basis.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
@@ -39,6 +40,39 @@ TEST(BulkElements, HaveTheUnknownsOfTheirFunctionsWhereTheyHaveStayed) {
     EXPECT_GT(stayed, 100);
     EXPECT_GT(cut, 5);
     EXPECT_GT(now.built(), 3);
+}
+
+// A zone that is extended has its tips where they were. Shared functions have their unknowns far from the element.
+TEST(BulkElements, StayWhereTheTipsOfTheirFunctionsDo) {
+    const Mesh body = refined(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
+    const Materials materials(plate_case({{0.0, 2.4}, {2.3, 2.6}}));
+    const IntegrationRule rule{.subcells = 2, .tip_points = 4};
+    for (const coarse::TipSupport support : {coarse::TipSupport::Nodal, coarse::TipSupport::Gathered}) {
+        const auto zone_of = [&](double turn, int begin) {
+            EnrichedMesh whole = cracked(body, {{-1.0, 0.47}, {0.5, 0.47}}, {4, 0.5, support, {}});
+            whole.tips[0].direction = Vec2(std::cos(turn), std::sin(turn));
+            std::vector<int> elements;
+            for (int e = begin; e < std::ssize(whole.elements); ++e) elements.push_back(e);
+            return extract(whole, elements);
+        };
+        const auto has_functions = [](const BulkElements& of, int e) {
+            return std::ranges::any_of(of.mesh().elements[at(e)],
+                                       [&](int node) { return of.mesh().has_tip_functions(node); });
+        };
+        for (const double turn : {0.0, 1e-6}) {
+            BulkElements old(zone_of(0.0, 3), materials, rule, nullptr);
+            const BulkElements now(zone_of(turn, 0), materials, rule, &old),
+                begun(zone_of(turn, 0), materials, rule, nullptr);
+            int with_functions = 0;
+            for (int e = 3; e < now.count(); ++e) {
+                EXPECT_EQ(now.has_stayed(e), turn == 0.0 || !has_functions(now, e)) << e;
+                EXPECT_EQ(now.op(e).unknowns, begun.op(e).unknowns) << e;
+                EXPECT_EQ(now.stiffness()[at(e)], begun.stiffness()[at(e)]) << e;
+                with_functions += has_functions(now, e) ? 1 : 0;
+            }
+            EXPECT_GT(with_functions, 15);
+        }
+    }
 }
 
 // Points keep a history. Where nothing may yield they have none, and lie where those of a body would that begins.
