@@ -182,10 +182,12 @@ TEST(Bulk, ExtensionKeepsHistoryBitForBit) {
     const std::vector<int> inner{6, 7, 11, 12, 16, 17};
     std::vector<int> outer(25);
     for (int e = 0; e < 25; ++e) outer[at(e)] = e;
-    Bulk old = strained_bulk(extract(plate, inner));
+    const EnrichedMesh smaller = extract(plate, inner), larger = extract(plate, outer);
+    Bulk old = strained_bulk(smaller);
     const ZoneState before = state_of(old);
-    const EnrichedMesh larger = extract(plate, outer);
-    const Bulk bulk = make_bulk(larger, scene, random_vector(larger.unknowns, 1e-3, 8), &old);
+    const Eigen::VectorXd u = carry_over(smaller, old.committed_displacement(), larger,
+                                         random_vector(larger.unknowns, 1e-3, 8));
+    const Bulk bulk = make_bulk(larger, scene, u, &old);
 
     const ZoneState now = state_of(bulk);
     std::vector<char> known(outer.size(), 0);
