@@ -8,6 +8,7 @@
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/linear/blas.hpp"
+#include "common/linear/huge_pages.hpp"
 #include "common/memory.hpp"
 #include "coupling/transport/serve.hpp"
 #include "fine/zone/fine_model.hpp"
@@ -18,6 +19,7 @@ int run_fine_with_mpi(const RunOptions& options) {
     ignore_interruption();
     use_one_thread();
     keep_freed_memory();
+    use_huge_pages();
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
         meet_and_part(coupling::Role::Fine, input);

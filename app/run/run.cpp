@@ -14,6 +14,7 @@
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/linear/blas.hpp"
+#include "common/linear/huge_pages.hpp"
 #include "common/memory.hpp"
 
 namespace stria {
@@ -33,6 +34,7 @@ int run_coarse_with_mpi(const RunOptions& options) {
     heed_interruption_of(options);
     use_one_thread();
     keep_freed_memory();
+    use_huge_pages();
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
         meet_and_part(coupling::Role::Coarse, input);
@@ -58,6 +60,7 @@ int run_in_process(const RunOptions& options) {
     heed_interruption_of(options);
     use_one_thread();
     keep_freed_memory();
+    use_huge_pages();
     const Case input = read_case(options.case_path, options.overrides);
     CoarseRun run(options, input, {options.mode, 1, isatty(STDOUT_FILENO) != 0});
     if (!needs_fine(input)) {

@@ -185,8 +185,8 @@ TEST(Bulk, ExtensionKeepsHistoryBitForBit) {
     const EnrichedMesh smaller = extract(plate, inner), larger = extract(plate, outer);
     Bulk old = strained_bulk(smaller);
     const ZoneState before = state_of(old);
-    const Eigen::VectorXd u = carry_over(smaller, old.committed_displacement(), larger,
-                                         random_vector(larger.unknowns, 1e-3, 8));
+    const Eigen::VectorXd u =
+        carry_over(smaller, old.committed_displacement(), larger, random_vector(larger.unknowns, 1e-3, 8));
     const Bulk bulk = make_bulk(larger, scene, u, &old);
 
     const ZoneState now = state_of(bulk);
