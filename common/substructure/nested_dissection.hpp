@@ -9,8 +9,9 @@
 
 namespace stria {
 
-/// Elements are bisected by their centres down to pairs; an unknown is eliminated as soon as all its elements are in
-/// one part, so that what both halves of a part share comes after them. `kept`: unknowns that come last, in this order;
+/// Elements are parted by their centres down to pairs, where both parts share few unknowns and neither is much smaller
+/// than the other; an unknown is eliminated as soon as all its elements are in one part, so that what both parts of it
+/// share comes after them. `kept`: unknowns that come last, in this order;
 /// -1 in the lists: no unknown. `late`: per element, 1 where all its unknowns come after those of other elements alone
 /// (empty: nowhere).
 /// Returns the unknowns that some element holds, in order of elimination. Time n log n.

@@ -55,6 +55,37 @@ TEST(NestedDissection, SeparatesTheHalvesBeforeWhatTheyShare) {
     for (std::size_t k = 0; k < 40; ++k) EXPECT_LT(order[k] % 17, 8);
 }
 
+// Along a crack in a large body small elements lie in a long band: its longer direction, in mm, has the more of them.
+TEST(NestedDissection, CutsWhereFewUnknownsAreShared) {
+    PointGrid band(64, 8);
+    for (Vec2& centre : band.centres) centre.x() *= 0.05;
+    const std::vector<int> order = nested_dissection(band.elements, band.centres, band.points, {});
+    const int column = order.back() % 65;
+    EXPECT_GE(column, 16);
+    EXPECT_LE(column, 48);
+    for (std::size_t k = order.size() - 9; k < order.size(); ++k) EXPECT_EQ(order[k] % 65, column);
+
+    const PointGrid left(
+        17, 12);  // joined with as large a grid by three elements, where halves of as many would share more
+    IndexLists elements = left.elements;
+    std::vector<Vec2> centres = left.centres;
+    const auto point = [](int i, int j) { return i <= 17 ? j * 18 + i : 18 * 13 + j * 30 + i - 18; };
+    const auto add = [&](int i, int j) {
+        elements.append(std::array{point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+        centres.emplace_back(i + 0.5, j + 0.5);
+    };
+    for (int j = 0; j < 12; ++j)
+        for (int i = 20; i < 44; ++i) add(i, j);
+    for (int i = 17; i < 20; ++i) add(i, 5);
+    const std::vector<int> joined = nested_dissection(elements, centres, 18 * 13 + 30 * 13, {});
+    const std::vector<int> neck(joined.end() - 2, joined.end());
+    EXPECT_TRUE(std::ranges::any_of(std::array{17, 18, 19, 20},
+                                    [&](int i) {
+                                        return neck == std::vector{point(i, 5), point(i, 6)};
+                                    }))
+        << neck[0] << " " << neck[1];
+}
+
 TEST(NestedDissection, LeavesOutWhatNoElementHolds) {
     IndexLists elements;
     elements.append(std::array{4, -1, 0});
