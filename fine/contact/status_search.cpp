@@ -13,6 +13,19 @@ std::vector<FaceStatus> StatusSearch::next(const std::vector<FaceStatus>& presen
     if (!one_at_a_time_) return wanted;
     std::vector<FaceStatus> one = present;
     one[at(worst)] = wanted[at(worst)];
+    return alone_.insert(one).second ? one : another(present, std::move(one), worst);
+}
+
+std::vector<FaceStatus> StatusSearch::another(const std::vector<FaceStatus>& present, std::vector<FaceStatus> one,
+                                              int worst) {
+    const FaceStatus was = present[at(worst)], wanted = one[at(worst)];
+    if (!slides(was) && !slides(wanted)) return one;
+    for (const FaceStatus status :
+         {FaceStatus::Open, FaceStatus::Stick, FaceStatus::SlipForward, FaceStatus::SlipBack}) {
+        one[at(worst)] = status;
+        if (status != was && alone_.insert(one).second) return one;
+    }
+    one[at(worst)] = wanted;
     return one;
 }
 

@@ -24,8 +24,11 @@ public:
 
 private:
     void break_cycle(std::vector<FaceStatus>& wanted);
+    /// Instead of `one`, which has been there: what the worst multiplier has not been yet, if it has friction.
+    [[nodiscard]] std::vector<FaceStatus> another(const std::vector<FaceStatus>& present, std::vector<FaceStatus> one,
+                                                  int worst);
 
-    std::set<std::vector<FaceStatus>> visited_;
+    std::set<std::vector<FaceStatus>> visited_, alone_;  // what was wanted; what came of one at a time
     bool tried_to_stick_ = false, one_at_a_time_ = false;
 };
 
