@@ -34,8 +34,10 @@ struct DueGrowth {
 /// The last maximum and the last minimum of a cycle that were reached.
 struct ReachedExtremes {
     LoadFactors maximum, minimum;
-    std::vector<TipResult> tips;  // at the maximum, one each; empty: there was none
-    FaceTractions faces = {};     // likewise, where faces touch and rings do not tell K of every tip; else none
+    // One each; empty: there was no such extreme.
+    std::vector<TipResult> tips = {}, tips_at_minimum = {};
+    // Where faces touch and rings do not tell K of every tip; else none.
+    FaceTractions faces = {}, faces_at_minimum = {};
 };
 
 /// Of CrackGrowth.

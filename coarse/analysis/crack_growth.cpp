@@ -48,7 +48,7 @@ void CrackGrowth::take(const Increment& reached, const Scene& present) {
         K_reached_[t].of_break = std::max(K_reached_[t].of_break, K[t]);
         K_reached_[t].K_I = std::max(K_reached_[t].K_I, reached.K_at_end(t));
     }
-    if (step.at_minimum) extremes_.minimum = factors;
+    if (step.at_minimum) note_minimum(extremes_, factors, reached);
     if (step.ends_cycle) {
         if (growth_.at == GrowthAt::Minimum) lengthen(turning_.minimum, present, reached.nominal, extremes_.minimum);
         note_cycle(modes);

@@ -54,6 +54,24 @@ TEST(TouchingTurns, LeaveWingsWithoutK_II) {
     }
 }
 
+// Pressed and let go is pulled and let go by the load turned around, and so where a rest of it stays. By what is left
+// at the end of its pressing nominal K turned them, 0.7 mm astray, and under a rest what friction has kept of K.
+TEST(TouchingTurns, AreThoseOfTheLoadTurnedAround) {
+    for (const double rest : {0.0, 1.0}) {
+        Case input = plate_with_wings(0.3, 4);
+        input.load.blocks = {{.cycles = 4, .max = 40.0, .min = rest}};
+        const RunHistory pulled = run_direct(input);
+        input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+        input.load.blocks = {{.cycles = 4, .max = -rest, .min = -40.0}};
+        const RunHistory pressed = run_direct(input);
+        for (std::size_t t = 0; t < 2; ++t) {
+            const coarse::TipResult &one = pulled.increments.back().tips[t], &other = pressed.increments.back().tips[t];
+            EXPECT_NEAR(one.x, other.x, 1e-6) << rest;
+            EXPECT_NEAR(one.y, other.y, 1e-6) << rest;
+        }
+    }
+}
+
 // In metal that flows no ring tells K behind their bends, and the K of faces that pass through each other turned them:
 // they ended 0.6 to 0.7 mm from where they go without flow.
 TEST(TouchingTurns, OfMetalThatFlowsAreNearlyThoseOfMetalThatDoesNot) {

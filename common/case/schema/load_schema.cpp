@@ -241,8 +241,8 @@ void declare_tips(Section<GrowthSection>& s) {
               "where K_min > 0, else 0; 1: dK. C, m, threshold and ranges are those of R = 0.");
     s.choice<GrowthDirection>("direction", &GrowthSection::direction,
                               {{"hoop", GrowthDirection::HoopStress}, {"straight", GrowthDirection::Straight}})
-        .says("hoop: of the largest hoop stress at the maximum of a cycle, of all loads and the initial stress; "
-              "straight on within 1e-4 of an element. straight: as it begins.");
+        .says("hoop: of the largest hoop stress of all loads and the initial stress, at the maximum of a cycle (of one "
+              "load never above zero at its minimum); straight on within 1e-4 of an element. straight: as it begins.");
 }
 
 void declare_ends(Section<GrowthSection>& s) {

@@ -66,6 +66,26 @@ TEST_F(KAtExtremes, ThatIsMeasuredTurnsATipUnlessItIsNextToNothing) {
     EXPECT_EQ(K_that_turns(body, reached)[0].K_I, unit.K_I) << "no faces touch";
 }
 
+// A crack that is pressed and let go: at the maximum no load is left, and nothing of K but what friction has kept.
+TEST_F(KAtExtremes, ThatIsMeasuredAtTheMinimumTurnsATipWhoseLoadIsLargestThere) {
+    ReachedExtremes reached = between(0.0, -60.0);
+    EXPECT_EQ(K_that_turns(body, reached)[0].K_II, -unit.K_II) << "nothing is measured";
+    reached.tips = {{.K_I = 1.0, .K_II = 2.0, .contact_length = 1.0}};
+    reached.tips_at_minimum = {{.K_I = 30.0, .K_II = -20.0, .contact_length = 1.0}};
+    EXPECT_EQ(K_that_turns(body, reached)[0].K_I, 30.0);
+    EXPECT_EQ(K_that_turns(body, reached)[0].K_II, -20.0);
+    reached.tips_at_minimum[0].rings_flow = true;
+    reached.faces_at_minimum = {
+        .crack = {0, 0}, .s = {0.0, 20.0}, .pressure = {4.0, 4.0}, .shear = {2.0, 2.0}, .in_wake = {0, 0}};
+    const TipResult of_faces = body.K_of_faces(reached.minimum, reached.faces_at_minimum)[0];
+    EXPECT_DOUBLE_EQ(K_that_turns(body, reached)[0].K_II, -60.0 * unit.K_II + of_faces.K_II);
+    reached.maximum.main = -2.0;
+    EXPECT_DOUBLE_EQ(K_that_turns(body, reached)[0].K_II, -60.0 * unit.K_II + of_faces.K_II);
+    reached.maximum.main = 1.0;
+    reached.tips[0].K_I = 50.0;
+    EXPECT_EQ(K_that_turns(body, reached)[0].K_I, 50.0) << "the maximum has a load";
+}
+
 // Of a pressure that opens the crack and a shear: K of the loads with that of the faces.
 TEST_F(KAtExtremes, OfRingsThatAllHoldFlowIsThatOfLoadsAndFaces) {
     ReachedExtremes reached = between(60.0, 0.0);
@@ -94,6 +114,10 @@ TEST(ReachedExtremes, HaveTheFacesWhereTheyTouchAndNoRingTells) {
             EXPECT_EQ(extremes.maximum.main, 60.0);
             EXPECT_EQ(extremes.tips.at(0).K_I, 7.0);
             EXPECT_EQ(extremes.faces.s.size(), touches && flows ? 1U : 0U);
+            note_minimum(extremes, LoadFactors(-60.0), reached);
+            EXPECT_EQ(extremes.minimum.main, -60.0);
+            EXPECT_EQ(extremes.tips_at_minimum.at(0).K_I, 7.0);
+            EXPECT_EQ(extremes.faces_at_minimum.s.size(), touches && flows ? 1U : 0U);
         }
     }
 }

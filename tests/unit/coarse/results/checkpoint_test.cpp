@@ -50,6 +50,8 @@ Checkpoint some_checkpoint() {
     state.growth.turning = {.minimum = {{1.0, 2.0}}, .cycles = {{3.0, 4.0}, {1.0, 2.0}}};
     state.growth.extremes = {.maximum = {50.0, Eigen::Vector2d(0.5, -0.5)}, .minimum = {-5.0}, .tips = {{.a = 20.5}}};
     state.growth.extremes.faces = tractions_of({{.crack = 1, .s = 0.5, .pressure = 7.0, .in_wake = true}});
+    state.growth.extremes.tips_at_minimum = {{.a = 20.25}};
+    state.growth.extremes.faces_at_minimum = tractions_of({{.crack = 1, .s = 0.5, .pressure = 9.0}});
     state.growth.rates.period = {.sum = {1.0}, .cycles = 2, .grown = {3.0}, .before = {4.0}};
     state.load.reached = -1.0 / 3.0;
     state.load.taken = {{2, 0.0, 5.0, Eigen::Vector2d(0.0, 1.0), state.load.cases}, {2, 5.0, 10.0}};
@@ -131,6 +133,8 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.growth.extremes.maximum.cases, in.analysis.growth.extremes.maximum.cases);
     EXPECT_EQ(out.analysis.growth.extremes.minimum.main, -5.0);
     EXPECT_EQ(out.analysis.growth.extremes.tips.at(0).a, 20.5);
+    EXPECT_EQ(out.analysis.growth.extremes.tips_at_minimum.at(0).a, 20.25);
+    EXPECT_EQ(out.analysis.growth.extremes.faces_at_minimum.at(1, 0.5).pressure, 9.0);
     EXPECT_EQ(out.analysis.growth.extremes.faces.at(1, 0.5).pressure, 7.0);
     EXPECT_EQ(out.analysis.growth.extremes.faces.in_wake.at(0), 1);
     EXPECT_EQ(out.analysis.growth.rates.period.cycles, 2);
