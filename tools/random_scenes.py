@@ -57,6 +57,7 @@ EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)|on
              r"growth.increment = .* (at a time|of its forward plastic zone)": r"yield_stress(.|\n)*\[growth\]",
              r"nothing yields there": r"contact(.|\n)*\[growth\]",
              r"turns sharply|runs along an element edge": r"\[growth\]",
+             r"K_op / K_max goes to and fro": r"contact(.|\n)*\[growth\]|\[growth\](.|\n)*contact",
              r"growth ends here, and not the life": r"\[growth\]",
              r"times as large as fine.refine": r"\nrefine = (.|\n)*\[growth\]",
              r"work balance is open": r"\nsteps = ",  # so few, given or chosen, that trapezoids are off

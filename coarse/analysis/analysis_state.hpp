@@ -7,6 +7,7 @@
 
 #include "coarse/cycle/closure_measurement.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
+#include "coarse/cycle/opening_swing.hpp"
 #include "coarse/elements/coarse_elements.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/equilibrium/work_balance.hpp"
@@ -50,6 +51,7 @@ struct GrowthMemory {
     ReachedExtremes extremes;
     TurningModes turning;
     bool turns_late = false;  // along an element edge, at the growth before: that has been said
+    OpeningSwingMemory swing = {};
 };
 
 /// Figure 3 (b) under way: what holds the faces that the last growth has opened.

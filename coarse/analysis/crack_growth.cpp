@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <optional>
 #include <utility>
 
 #include "coarse/analysis/K_at_extremes.hpp"
@@ -25,7 +24,7 @@ CrackGrowth::CrackGrowth(const Case& input, const Note& note, GrowthMemory memor
     : growth_(*input.growth), note_(note), ended_(memory.ended), turns_late_(memory.turns_late),
       increment_(std::move(memory.increment)), rates_(input, std::move(memory.rates)),
       K_reached_(std::move(memory.K_reached)), before_(std::move(memory.before)), extremes_(std::move(memory.extremes)),
-      turning_(std::move(memory.turning)) {}
+      turning_(std::move(memory.turning)), swing_(input, std::move(memory.swing)) {}
 
 GrowthMemory CrackGrowth::memory() const {
     return {.ended = ended_,
@@ -35,7 +34,8 @@ GrowthMemory CrackGrowth::memory() const {
             .before = before_,
             .extremes = extremes_,
             .turning = turning_,
-            .turns_late = turns_late_};
+            .turns_late = turns_late_,
+            .swing = swing_.memory()};
 }
 
 void CrackGrowth::take(const Increment& reached, const Scene& present) {

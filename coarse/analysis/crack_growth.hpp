@@ -8,6 +8,7 @@
 
 #include "coarse/analysis/cracked_body.hpp"
 #include "coarse/cycle/increment.hpp"
+#include "coarse/cycle/opening_swing.hpp"
 #include "coarse/growth/growth_increment.hpp"
 #include "coarse/growth/growth_texts.hpp"
 #include "coarse/growth/tip_rates.hpp"
@@ -43,10 +44,11 @@ public:
     /// what drives the growth was not found in a cycle that tells its rate.
     [[nodiscard]] GrownScene next(const CrackedBody& body, const std::vector<CycleResult>& last);
 
-    /// A cycle has ended: TipRates::count_cycles().
+    /// A cycle has ended: TipRates::count_cycles(), and OpeningSwing::add().
     void count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present) {
         increment_.add(cycles);
         rates_.count_cycles(cycle, cycles, present);
+        for (const std::string& warning : swing_.add(cycle, cycles, present)) note_("warning: " + warning);
     }
 
 private:
@@ -93,6 +95,7 @@ private:
     std::vector<LengthAndK> before_;   // what the tips had reached when they grew last; empty: they have not grown
     ReachedExtremes extremes_;
     TurningModes turning_;
+    OpeningSwing swing_;
     std::optional<TurnOfTip> untold_turn_;  // what drives that tip behind it is not known
     std::set<int> said_to_freeze_;          // tips: no checkpoint, for a run that retains functions cannot be resumed
 };

@@ -64,9 +64,11 @@ int cycle_count(const LoadSection& load) {
     return load.repeat * cycles;
 }
 
-bool varies(const Case& input) {
-    const auto case_varies = [](const LoadCaseSection& load_case) { return are_unlike(load_case.blocks); };
-    return are_unlike(input.load.blocks) || std::ranges::any_of(input.load_cases, case_varies);
+bool varies(const Case& input) { return are_unlike(input.load.blocks) || load_cases_vary(input); }
+
+bool load_cases_vary(const Case& input) {
+    return std::ranges::any_of(input.load_cases,
+                               [](const LoadCaseSection& load_case) { return are_unlike(load_case.blocks); });
 }
 
 LoadSection cycles_ahead(const LoadSection& load, int passed) {

@@ -25,6 +25,8 @@ std::vector<Leg> legs(const LoadSection& load);
 
 /// Cycles have different extremes, of the main load or of a load case.
 [[nodiscard]] bool varies(const Case& input);
+/// Of a load case.
+[[nodiscard]] bool load_cases_vary(const Case& input);
 
 /// The cycles that are left once some have passed, at least a tenth of all, lest the last few of a spectrum stand for
 /// it; all of them where the sequence repeats.

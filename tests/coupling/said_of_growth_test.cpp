@@ -225,6 +225,34 @@ TEST(SaidOfGrowth, NamesATipWhoseLoadHasFallen) {
     EXPECT_EQ(std::ranges::count_if(run_direct(input).notes, is_of_the_zone), 1);
 }
 
+// Across the lines of a mesh the first multiplier beyond the distance of closure is now nearer and now farther.
+TEST(SaidOfGrowth, NamesOpeningLoadsThatGoToAndFroOnceAndNotAgainByARunThatGoesOn) {
+    Case input = at_given_K();
+    input.cracks[0].points = {{0.0, 8.1}, {5.2, 12.5}};
+    input.cracks[0].contact = ContactSection{};
+    input.closure.distance = 0.15;
+    input.load.steps = 12;
+    input.load.blocks[0].cycles = 12;
+    const coarse::Scene scene = coarse::refined_scene(input);
+    std::vector<std::string> notes;
+    coarse::Listener listener;
+    listener.note = [&](const std::string& text) { notes.push_back(text); };
+    listener.reached = [&](const coarse::LoadStep& step) { return !(step.ends_cycle && step.cycle == 11); };
+    fine::FineModel fine(input), other_fine(input);
+    coarse::CondensedFactory first(&fine, input), second(&other_fine, input);
+    coarse::FatigueAnalysis begun(scene, first, listener);
+    begun.run();
+    const coarse::AnalysisState state = begun.state();
+    const std::vector<std::string> said = notes_with(notes, "warning: tip 0: K_op / K_max goes to and fro");
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_NE(said[0].find("in cycle 8, 0.27 in cycle 10, 0.39 in cycle 11"), std::string::npos) << said[0];
+    EXPECT_NE(said[0].find("fine.refine = 16"), std::string::npos) << said[0];
+    coarse::FatigueAnalysis ended(scene, second, listener, &state);
+    ended.run();
+    EXPECT_TRUE(ended.finished());
+    EXPECT_EQ(notes_with(notes, "goes to and fro").size(), 1U);
+}
+
 // A crack of 4.85 mm through elements of 0.1 mm.
 TEST(SaidOfGrowth, SaysWhereFunctionsStandNoLonger) {
     Case input = specimen("sent", 40.0, {{0.0, 20.05}, {4.85, 20.05}});
