@@ -19,6 +19,9 @@ constexpr double alike = 0.01;
 constexpr double least_weight = 0.2;
 // Of an element: on branches of 0.03 of one the pressure is off by some percent, on those of 0.1 it is not.
 constexpr double too_short = 0.05;
+// Of the edge at a mouth, what two multipliers that share a node are apart at least: the inf-sup constant is 0.37 then,
+// and more, and goes to zero with that distance (verification.InfSup).
+constexpr double far_enough = 0.5;
 constexpr double rounding = 1e-9;
 constexpr double kink_angle = 10.0 * std::numbers::pi / 180.0;
 
@@ -75,7 +78,8 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, c
             std::vector<int> nodes;
             for (const std::size_t corner : {edge % 4, at_node ? edge % 4 : (edge + 1) % 4})
                 for (const auto& [node, share] : mesh.holders_of_jump(element[corner])) nodes.push_back(node);
-            branches_.back().crossings.push_back({s, std::move(nodes)});
+            const Vec2 along = mesh.nodes[at(element[(edge + 1) % 4])] - mesh.nodes[at(element[edge % 4])];
+            branches_.back().crossings.push_back({s, at_node ? 0.0 : along.norm(), std::move(nodes)});
         };
         for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
             const Vec2 tangent = (piece.points[k + 1] - piece.points[k]).normalized();
@@ -134,11 +138,27 @@ void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<i
     };
     branch.first_multiplier = size();
     std::ranges::stable_sort(branch.crossings, {}, [&](const Crossing& c) { return std::abs(c.s - origin); });
-    std::set<int> taken;
+    const auto all_jump = [&](const auto& nodes) { return std::ranges::all_of(nodes, has_own_jump); };
+    std::set<int> taken, beside_mouth;  // nodes: of vital crossings; of that beside the one at the mouth
+    double s_beside_mouth = 0.0, apart = std::numeric_limits<double>::infinity();
+    const auto stands_beside_mouth = [&](const Crossing& crossing) {
+        return size() == branch.first_multiplier + 1 && std::abs(crossing.s - origin) >= apart && all_jump(taken) &&
+               all_jump(crossing.nodes);
+    };
     for (const Crossing& crossing : branch.crossings) {
-        if (contains_any(taken, crossing.nodes)) continue;
         if (std::ranges::none_of(crossing.nodes, has_own_jump)) continue;
-        taken.insert(crossing.nodes.begin(), crossing.nodes.end());
+        if (!contains_any(taken, crossing.nodes)) {
+            const bool shares = contains_any(beside_mouth, crossing.nodes);
+            if (shares && (std::abs(crossing.s - s_beside_mouth) < apart || !all_jump(crossing.nodes))) continue;
+            const bool is_mouth = taken.empty() && std::abs(crossing.s - origin) <= rounding * (1.0 + origin);
+            if (is_mouth && crossing.edge > 0.0) apart = far_enough * crossing.edge;
+            taken.insert(crossing.nodes.begin(), crossing.nodes.end());
+        } else if (stands_beside_mouth(crossing)) {
+            s_beside_mouth = crossing.s;
+            beside_mouth.insert(crossing.nodes.begin(), crossing.nodes.end());
+        } else {
+            continue;
+        }
         nodes_.push_back(crossing.s);
     }
     std::sort(nodes_.begin() + branch.first_multiplier, nodes_.end());

@@ -15,6 +15,10 @@ namespace stria::fine {
 /// (Bechet, Moes, Wohlmuth 2009). So every multiplier has jump unknowns of its own, however the crack cuts the mesh.
 /// The walk goes from the crack's origin to its tips: growth adds nodes and takes none away, and which end of the crack
 /// is its first is no matter.
+/// At a mouth a second one may share a node with the first, where a corner of the element is cut off: if it is half an
+/// edge of that element away from both its neighbours and all their nodes have jumps of their own, they are independent
+/// (docs/equations.md, two multipliers at a mouth). Else the hat at the mouth spans two elements, and faces that touch
+/// at the mouth alone overlap there, for they meet in the mean over it.
 /// Branches end at kinks and at a notch: at kinks the pressure may jump there. One that is much shorter than an element
 /// has next to no jumps of its own, and goes with its neighbour, the one nearer to the origin. The pressure is constant
 /// towards a tip, and straight on towards any other end that is no farther than the next node, unless that would leave
@@ -54,6 +58,7 @@ public:
 private:
     struct Crossing {
         double s;
+        double edge;             // mm, its length; 0: the crossing is at a node
         std::vector<int> nodes;  // whose unknowns make the jump there
     };
     struct Branch {

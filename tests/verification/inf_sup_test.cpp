@@ -91,6 +91,20 @@ void expect_bounded(int n, int cuts) { EXPECT_GT(constants(n, cuts, MultiplierKi
 TEST(InfSup, IsBoundedBelowForEveryCutAndMesh) {
     for (const int n : {11, 21, 41}) expect_bounded(n, 30);
 }
+// Through a side and the next one of an element's corner at the mouth, 0.5 to 1.1 of an element apart: two multipliers
+// share a node there. Less far apart only one of them stands.
+TEST(InfSup, IsBoundedBelowWhereTheMouthsElementLosesACorner) {
+    constexpr int n = 21;
+    double least = 1e300;
+    for (const double slope : {-0.8, 0.8}) {
+        for (const double to_node : {0.2, 0.32, 0.4, 0.5, 0.6, 0.7}) {
+            const double left = slope > 0.0 ? (3.0 - to_node) / n : (18.0 + to_node) / n;
+            least = std::min(least, inf_sup(n, left, left + slope, MultiplierKind::Stable));
+        }
+    }
+    std::cout << fmt::format("corners at the mouth: inf-sup constant {:.3g} at least\n", least);
+    EXPECT_GT(least, 0.3);
+}
 // More conditions than the jump has freedom, whatever the cut.
 TEST(InfSup, IsNothingWithOneMultiplierAtEachGaussPoint) {
     for (const int n : {7, 11}) EXPECT_LT(constants(n, 10, MultiplierKind::Gauss).most, 1e-5);

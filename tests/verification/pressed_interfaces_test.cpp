@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -227,6 +228,39 @@ TEST(PressedInterface, OfABentCrackInTensionGapes) {
     }
 }
 
+/// Of an edge crack askew in a plate of 20 mm by 40 on elements of 1 mm, by how much its faces overlap in the first of
+/// them, over the largest opening. The stress of the load ascends from none at `zero`: it presses the mouth, and the
+/// tip opens.
+double overlap_of_bent_plate(const std::vector<Vec2>& crack, double zero) {
+    Case input = specimen("sent", 40.0, crack);
+    input.mesh.width = 20.0;
+    input.mesh.size = 1.0;
+    input.cracks[0].contact = ContactSection{};
+    for (const double side : {1.0, -1.0}) {
+        input.boundaries.emplace_back();
+        input.boundaries.back().on = side > 0.0 ? "top" : "bottom";
+        input.boundaries.back().traction = Vec2::Zero();
+        input.boundaries.back().traction_gradient(1, 0) = side;
+        input.boundaries.back().origin = {zero, 0.0};
+    }
+    const Equilibrated result = equilibrate(coarse::refined_scene(input), 10.0);
+    EXPECT_TRUE(result.newton.converged) << result.newton.failure;
+    EXPECT_GT(result.zone.faces.front().pressure, 0.0);
+    double deepest = 0.0, widest = 0.0;
+    for (const coupling::FaceSample& face : result.zone.faces) {
+        if (face.x < 1.0) deepest = std::max(deepest, -face.opening);
+        widest = std::max(widest, face.opening);
+    }
+    return deepest / widest;
+}
+
+// A corner of the element at the mouth is cut off. With one multiplier at the mouth, whose hat spans two elements,
+// faces overlapped by 5.7 % there: those that touch at the mouth alone meet in the mean over it.
+TEST(PressedInterface, OfACrackPressedAtItsMouthHardlyOverlap) {
+    EXPECT_LT(overlap_of_bent_plate({{0.0, 18.346}, {4.478, 14.818}}, 1.849), 0.02);
+    EXPECT_LT(overlap_of_bent_plate({{0.0, 21.654}, {4.478, 25.182}}, 1.849), 0.02) << "in a mirror";
+}
+
 // Each was found by stria_stress. Which side of the crack an element lies on, nodes of the tip's element alone do not
 // tell where the crack bends before its tip; and a piece that comes back to the edge it came from opens no edge.
 TEST(PressedInterface, OfCracksThatBendAtTheirTips) {
@@ -238,6 +272,7 @@ TEST(PressedInterface, OfCracksThatBendAtTheirTips) {
         {15, {{5.299, 7.449}, {11.529, 9.026}, {11.605, 9.006}, {11.608, 9.003}}},
         {7, {{0.0, 3.0}, {1.959, 4.135}, {2.000004, 4.498}, {2.0, 4.741}}},
         {8, {{2.252, 3.97}, {4.83, 5.344}, {4.872, 5.343}, {5.0, 5.0}, {5.017, 4.993}}},
+        {9, {{2.93267517211, 5.0}, {5.0, 3.0}, {5.0, 2.49974612985}, {5.0, 2.0}, {5.00508304091, 1.99400951844}}},
     };
     for (const auto& [elements, crack] : scenes) {
         std::vector<Vec2> points = crack;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <ranges>
 #include <set>
 
@@ -135,6 +136,58 @@ TEST(MultiplierSpace, AloneOnABranchStandsForItsMiddle) {
         EXPECT_NEAR(space.middle(space.size() - 1), length - 0.5 * wing, 1e-12);
         for (int k = 1; k + 1 < space.size(); ++k) EXPECT_EQ(space.middle(k), space.nodes()[at(k)]);
         std::ranges::reverse(crack);
+    }
+}
+
+// A corner of the element at the mouth is cut off: both of its edges share a node.
+TEST(MultiplierSpace, TwoStandAtAMouthWhereTheCrackCutsOffACorner) {
+    for (const double side : {0.4, 0.6, 0.8}) {
+        for (std::vector<Vec2> crack :
+             {std::vector<Vec2>{{0.0, 3.0 - side}, {2.7, 5.7 - side}}, {{0.0, 3.0 + side}, {2.7, 0.3 + side}}}) {
+            const std::vector<double> at_once = places_on(crack, crack);
+            ASSERT_GT(at_once.size(), 2U);
+            EXPECT_NEAR(at_once[0], 0.0, 1e-12);
+            EXPECT_NEAR(at_once[1], side, 1e-12) << "they are 0.56 of an element apart or more";
+            EXPECT_GT(std::numbers::sqrt2 * (at_once[2] - at_once[1]), 0.5 - 1e-12);
+            std::ranges::reverse(crack);
+            EXPECT_NEAR(places_on(crack, crack)[1], side, 1e-12) << "the mouth is its last point";
+        }
+    }
+    EXPECT_GT(places_on({{0.0, 2.7}, {2.7, 5.4}}, {{0.0, 2.7}, {2.7, 5.4}})[1], 0.9) << "0.42 of an element apart";
+}
+
+// Of three nodes whose jumps two of them see one must not be the structure's, or be missing: the two would see one
+// jump.
+TEST(MultiplierSpace, TwoAtAMouthHaveJumpsOfTheirOwn) {
+    const EnrichedMesh mesh = plate_mesh(12, 6, plate_case({{0.0, 2.4}, {2.7, 5.1}}));
+    const double second = 0.6 * std::numbers::sqrt2;
+    ASSERT_NEAR(MultiplierSpace(mesh, {}, 0, Notch()).nodes()[1], second, 1e-12);
+    for (const Vec2& shared : {Vec2(0.0, 2.0), Vec2(0.0, 3.0), Vec2(1.0, 3.0)}) {
+        std::vector<int> boundary;
+        for (const auto& [node, term, unknown] : mesh.own_unknowns())
+            if ((mesh.nodes[at(node)] - shared).norm() < 1e-9) boundary.insert(boundary.end(), {unknown, unknown + 1});
+        std::ranges::sort(boundary);
+        const MultiplierSpace space(mesh, boundary, 0, Notch());
+        EXPECT_NEAR(space.nodes()[0], 0.0, 1e-12);
+        EXPECT_GT(space.nodes()[1], second + 0.1) << shared.transpose();
+    }
+}
+
+// The second one beside a mouth is there before the third crossing is.
+TEST(MultiplierSpace, GrowthFromAMouthTakesNoneAway) {
+    for (const Vec2& way : {Vec2(1.0, 1.0), Vec2(1.0, 0.7), Vec2(0.6, 1.0)}) {
+        for (const double side : {0.3, 0.55, 0.7, 0.9}) {
+            const Vec2 mouth(0.0, 2.0 - side);
+            std::vector<double> before;
+            for (double length = 0.4; length < 4.0; length += 0.15) {
+                const std::vector<Vec2> crack{mouth, mouth + length * way.normalized()};
+                const std::vector<double> places = places_on(crack, crack);
+                for (const double place : before)
+                    EXPECT_TRUE(std::ranges::any_of(places, [&](double x) { return std::abs(x - place) < 1e-9; }))
+                        << side << ' ' << length << ' ' << place;
+                before = places;
+            }
+        }
     }
 }
 
