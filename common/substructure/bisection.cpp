@@ -34,9 +34,8 @@ struct Cut {
 
 /// At `number` steps, across which `shared` of the unknowns are seen from both sides, `below` of `elements` before it.
 Cut cut_at(int direction, double number, double step, int shared, int below, std::size_t elements) {
-    constexpr double tolerated = 0.2;  // so much may the difference of the parts be of their sum
     const double uneven = std::abs(2.0 * below / static_cast<double>(elements) - 1.0);
-    return {direction, step * number, (1.0 + shared) * (1.0 + 0.5 * std::max(0.0, uneven - tolerated)),
+    return {direction, step * number, cost_of_cut(shared, uneven),
             std::countr_zero(static_cast<std::uint64_t>(std::abs(number)))};
 }
 
@@ -208,8 +207,7 @@ private:
                      coordinate_of(group.size() - 1 - quarter, group, direction), best);
     }
 
-    /// A cut is cheap where the parts share few unknowns and neither is much smaller than the other. Planes at round
-    /// numbers, of equal ones the roundest, mostly stay where they are when elements come and go.
+    /// Planes at round numbers, of equal ones the roundest, mostly stay where they are when elements come and go.
     void look_between(int direction, Group group, double low, double high, Cut& best) {
         if (!(low < high)) return;
         constexpr int eight_or_more = 3, digits = 50;  // planes, digits of their numbers: as powers of two

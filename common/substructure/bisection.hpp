@@ -1,12 +1,20 @@
 // Which elements of a tree of fronts stand together: by where they lie.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include "common/substructure/front_layout.hpp"
 
 namespace stria {
+
+/// A cut is cheap where the parts share few unknowns and neither is much smaller than the other. `uneven`: the
+/// difference of the parts, of their sum.
+inline double cost_of_cut(int shared, double uneven) {
+    constexpr double tolerated = 0.2;
+    return (1.0 + shared) * (1.0 + 0.5 * std::max(0.0, uneven - tolerated));
+}
 
 /// A node of the tree.
 struct PartOfElements {

@@ -8,6 +8,7 @@
 #include "common/error.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/substructure/bisection.hpp"
 
 namespace stria {
 namespace {
@@ -38,7 +39,7 @@ struct Halves {
 class PlaceBisection {
 public:
     PlaceBisection(const IndexLists& element_unknowns, int unknowns)
-        : element_unknowns_(element_unknowns), first_(at(unknowns), 0), group_(at(unknowns), 0) {}
+        : element_unknowns_(element_unknowns), last_place_(at(unknowns), 0), group_(at(unknowns), 0) {}
 
     /// The number of the halves of these places.
     int bisect(std::span<Place> places) {
@@ -73,7 +74,7 @@ private:
         int axis = 0;
         std::ptrdiff_t first = 0;
         double cost = std::numeric_limits<double>::infinity();
-        double uneven = 0.0;  // the difference of the parts, of their sum
+        double uneven = 0.0;
 
         bool operator<(const Cut& other) const {
             return cost < other.cost || (cost == other.cost && uneven < other.uneven);
@@ -90,7 +91,6 @@ private:
         return best.first;
     }
 
-    /// A cut is cheap where the parts share few unknowns and neither is much smaller than the other.
     void look_along(int axis, std::span<const Place> places, Cut& best) {
         const std::ptrdiff_t count = std::ssize(places);
         ++groups_;
@@ -99,27 +99,25 @@ private:
             for (const int unknown : element_unknowns_[at(places[at(k)].element)]) {
                 if (unknown < 0) continue;
                 if (group_[at(unknown)] == groups_) {
-                    ++change_[at(first_[at(unknown)]) + 1];
+                    ++change_[at(last_place_[at(unknown)]) + 1];
                     --change_[at(k) + 1];
                 }
                 group_[at(unknown)] = groups_;
-                first_[at(unknown)] = static_cast<int>(k);
+                last_place_[at(unknown)] = static_cast<int>(k);
             }
         }
         int shared = 0;
         for (std::ptrdiff_t first = 0; first < count; ++first) {
             shared += change_[at(first)];
             if (4 * first < count || 4 * first > 3 * count) continue;
-            constexpr double tolerated = 0.2;
             const double uneven = std::abs(2.0 * static_cast<double>(first) / static_cast<double>(count) - 1.0);
-            const double cost = (1.0 + shared) * (1.0 + 0.5 * std::max(0.0, uneven - tolerated));
-            best = std::min(best, Cut{axis, first, cost, uneven});
+            best = std::min(best, Cut{axis, first, cost_of_cut(shared, uneven), uneven});
         }
     }
 
     const IndexLists& element_unknowns_;
-    std::vector<int> first_;  // place of the last element so far that holds an unknown
-    std::vector<int> group_;  // that was last seen to hold it
+    std::vector<int> last_place_;  // of the elements so far that hold an unknown
+    std::vector<int> group_;       // that was last seen to hold it
     int groups_ = 0;
     std::vector<int> change_;  // of the unknowns shared, from one cut to the next
     std::vector<Halves> halves_;
