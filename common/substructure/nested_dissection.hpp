@@ -14,7 +14,7 @@ namespace stria {
 /// share comes after them. `kept`: unknowns that come last, in this order;
 /// -1 in the lists: no unknown. `late`: per element, 1 where all its unknowns come after those of other elements alone
 /// (empty: nowhere).
-/// Returns the unknowns that some element holds, in order of elimination. Time n log n.
+/// Returns the unknowns that some element holds, in order of elimination. Time n log^2 n.
 std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Vec2>& centres, int unknowns,
                                    const std::vector<int>& kept, const std::vector<char>& late = {});
 
